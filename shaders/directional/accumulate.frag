@@ -28,20 +28,20 @@ void main() {
     for (uint left = (fronts | backs) & cell; left != 0u; left &= left - 1u) {
         COUNT(VCT_COUNTER_ACCUMULATE_FACE);
         int face = findLSB(left);
-        uint at = faceAt(faceId(cell, face));
+        uint at = sumsAt(faceId(cell, face));
         float side = (fronts >> uint(face) & 1u) != 0u ? 1.0 : -1.0, weight = abs(coverage[face >> 1]);
         float front = 0.5 + ((face & 1) == 0 ? fromMiddle[face >> 1] : -fromMiddle[face >> 1]);
-        atomicMax(faceData[at + VCT_FACE_PLANE], packPlane(nearness, curved, side * normal, side * offset));
-        atomicMax(faceData[at + VCT_FACE_FRONT],
+        atomicMax(faceSumData[at + VCT_FACE_PLANE], packPlane(nearness, curved, side * normal, side * offset));
+        atomicMax(faceSumData[at + VCT_FACE_FRONT],
                   packPlane(clamp(front, 0.0, 1.0), curved, side * normal, side * offset));
         addToWords(at + VCT_FACE_ALBEDO, weight * albedo);
         uvec3 units = uvec3(vec3(weight, weight * acrossFaces(place, face >> 1)) * frame.faceSumUnits + 0.5);
-        atomicAdd(faceData[at + VCT_FACE_COVERAGE], units.x);
-        atomicAdd(faceData[at + VCT_FACE_PLACE], units.y);
-        atomicAdd(faceData[at + VCT_FACE_PLACE + 1u], units.z);
+        atomicAdd(faceSumData[at + VCT_FACE_COVERAGE], units.x);
+        atomicAdd(faceSumData[at + VCT_FACE_PLACE], units.y);
+        atomicAdd(faceSumData[at + VCT_FACE_PLACE + 1u], units.z);
         if (curved) {
             vec2 across = 0.5 + 0.5 * side * acrossFaces(normal, face >> 1);
-            atomicAdd(faceData[at + VCT_FACE_CURVE], units.x);
+            atomicAdd(faceSumData[at + VCT_FACE_CURVE], units.x);
             addToWords(at + VCT_FACE_CURVE + 1u, weight * vec3(across, place[face >> 1]));
         }
 #ifdef VCT_EMISSION

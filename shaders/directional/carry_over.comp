@@ -67,7 +67,7 @@ void main() {
             for (uint word = 0u; word < words; ++word)
                 faceIrradianceData[to + word] = faceIrradianceData[old + word];
             faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
-            faceData[faceAt(id) + VCT_FACE_RADIANCE] = faceData[faceAt(from - 1u) + VCT_FACE_RADIANCE];
+            faceData[radianceAt(id)] = faceData[radianceAt(from - 1u)];
         } else if (from != 0u) {
             storeFaceMean(id, VCT_MEAN_NOW, faceMean(from - 1u, VCT_MEAN_NOW));
             storeFaceMean(id, VCT_MEAN_SHOWN, faceMean(from - 1u, VCT_MEAN_SHOWN));

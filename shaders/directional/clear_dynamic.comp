@@ -23,9 +23,10 @@ void main() {
         }
         if (i < olderCount) {
             imageStore(index, listedFace(older, i).voxel, uvec4(0u));
-            uint at = faceAt(commands[older].firstId + i);
-            for (uint word = 0u; word < faceWords; ++word)
-                faceData[at + word] = 0u;
+            uint id = commands[older].firstId + i, at = sumsAt(id);
+            faceData[radianceAt(id)] = 0u;
+            for (uint word = 0u; word < faceSumWords; ++word)
+                faceSumData[at + word] = 0u;
         }
     }
 }

@@ -1,7 +1,9 @@
-// The data of the base-level faces that passes, rays and look-ups read, by the faces' ids. Voxelization adds
-// the fragments that cover a face to its sums (directional/face_sums.glsl), resolve.comp writes the face's
-// surface and material from them, and inject.comp its radiance. VCT_EMISSION: surfaces emit light, so faces
-// also have words for emission.
+// The data of the base-level faces that passes, rays and look-ups read, by the faces' ids: resolve.comp writes a
+// face's surface and material from its sums (directional/face_sums.glsl), and inject.comp its radiance.
+// VCT_EMISSION: surfaces emit light, so faces also have a word for emission.
+//
+// The radiance of 64 faces is together, and then the other words of each of them, because the light step reads
+// the radiance of faces in any order (directional/gather.comp), and a cache holds more of them so.
 #include "shared/frame.glsl"
 #include "shared/normals.glsl"
 #include "directional/blocks.glsl"
@@ -13,17 +15,8 @@ layout(std430, binding = VCT_SSBO_FACES) buffer FaceBlock {
 
 #define VCT_FACE_SURFACE 0u      // packSurface()
 #define VCT_FACE_EXTENT 1u       // packExtent()
-#define VCT_FACE_RADIANCE 2u     // packRgb9e5(), relative to E/pi
-#define VCT_FACE_REFLECTANCE 3u  // packRgb9e5(), albedo of what covers the face
-#define VCT_FACE_PLANE 4u        // packPlane() of the fragment nearest to the voxel's middle; not a sum
-#define VCT_FACE_FRONT 5u        // packPlane() of the foremost fragment; not a sum
-#define VCT_FACE_COVERAGE 6u
-#define VCT_FACE_ALBEDO 7u  // three words, weighted by coverage
-#define VCT_FACE_PLACE 10u  // two words: position across the face (acrossFaces()), weighted by coverage
-#define VCT_FACE_CURVE \
-    12u  // four words of curved surfaces: coverage, and weighted by it the normal and the depth
-#define VCT_FACE_EMISSION 16u  // three words, weighted by coverage, relative to frame.emissionRange
-#define VCT_FACE_EMITTED 19u   // packRgb9e5(), relative to E/pi, of what covers the face
+#define VCT_FACE_REFLECTANCE 2u  // packRgb9e5(), albedo of what covers the face
+#define VCT_FACE_EMITTED 3u      // packRgb9e5(), relative to E/pi, of what covers the face
 
 #ifdef VCT_EMISSION
 const uint faceWords = VCT_EMISSIVE_FACE_WORDS;
@@ -31,9 +24,13 @@ const uint faceWords = VCT_EMISSIVE_FACE_WORDS;
 const uint faceWords = VCT_FACE_WORDS;
 #endif
 
-// The position of a face's words.
+// The position of a face's radiance, packRgb9e5(), relative to E/pi.
+uint radianceAt(uint id) {
+    return allBlockWords() + faceRadianceWord(id, faceWords);
+}
+// The position of a face's other words.
 uint faceAt(uint id) {
-    return allBlockWords() + id * faceWords;
+    return allBlockWords() + faceWord(id, faceWords);
 }
 
 // Radiance in 32 bits: three mantissas of 9 bits and an exponent of 5 (EXT_texture_shared_exponent). Channels
@@ -52,7 +49,9 @@ uint packRgb9e5(vec3 value) {
     return mantissa.r | mantissa.g << 9u | mantissa.b << 18u | uint(exponent + 15) << 27u;
 }
 vec3 unpackRgb9e5(uint word) {
-    return vec3(word & 511u, word >> 9u & 511u, word >> 18u & 511u) * exp2(float(word >> 27u) - 24.0);
+    // 2^(exponent - 24), by the bits of a float, which cost less than exp2().
+    float scale = uintBitsToFloat((word >> 27u) + 103u << 23u);
+    return vec3(word & 511u, word >> 9u & 511u, word >> 18u & 511u) * scale;
 }
 
 // The plane of the surface in a voxel: its normal, and its distance from the voxel's middle along the normal,
@@ -144,7 +143,7 @@ FaceExtent faceExtent(uint id) {
     return unpackExtent(faceData[faceAt(id) + VCT_FACE_EXTENT]);
 }
 vec3 faceRadiance(uint id) {
-    return unpackRgb9e5(faceData[faceAt(id) + VCT_FACE_RADIANCE]);
+    return unpackRgb9e5(faceData[radianceAt(id)]);
 }
 // The middle of the surface that covers a face, in voxels.
 vec3 surfaceMiddle(ivec3 voxel, int face, SurfacePlane plane, FaceExtent extent) {

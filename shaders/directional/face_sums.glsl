@@ -1,6 +1,32 @@
-// The sums of each base-level face, in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum
-// over all triangles of the scene fits into 32 bits, as a triangle covers a face at most once.
+// The sums of each base-level face, by its id: voxelization adds the fragments that cover the face. They are in
+// fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene fits
+// into 32 bits, as a triangle covers a face at most once. A scene in which nothing moves needs them only until
+// resolve.comp has run.
 #include "directional/face_lists.glsl"
+
+layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
+    uint faceSumData[];
+};
+
+#define VCT_FACE_PLANE 0u  // packPlane() of the fragment nearest to the voxel's middle; not a sum
+#define VCT_FACE_FRONT 1u  // packPlane() of the foremost fragment; not a sum
+#define VCT_FACE_COVERAGE 2u
+#define VCT_FACE_ALBEDO 3u  // three words, weighted by coverage
+#define VCT_FACE_PLACE 6u   // two words: position across the face (acrossFaces()), weighted by coverage
+#define VCT_FACE_CURVE \
+    8u  // four words of curved surfaces: coverage, and weighted by it the normal and the depth
+#define VCT_FACE_EMISSION 12u  // three words, weighted by coverage, relative to frame.emissionRange
+
+#ifdef VCT_EMISSION
+const uint faceSumWords = VCT_EMISSIVE_FACE_SUM_WORDS;
+#else
+const uint faceSumWords = VCT_FACE_SUM_WORDS;
+#endif
+
+// The position of a face's sums.
+uint sumsAt(uint id) {
+    return id * faceSumWords;
+}
 
 // Converts coverage in 0..1 to fixed point. If the result is 0, the fragment must not add to the face.
 uint fixedCoverage(float weight) {
@@ -9,9 +35,9 @@ uint fixedCoverage(float weight) {
 
 void addToWords(uint at, vec3 value) {
     uvec3 units = uvec3(clamp(value, 0.0, 1.0) * frame.faceSumUnits + 0.5);
-    if (units.x != 0u) atomicAdd(faceData[at], units.x);
-    if (units.y != 0u) atomicAdd(faceData[at + 1u], units.y);
-    if (units.z != 0u) atomicAdd(faceData[at + 2u], units.z);
+    if (units.x != 0u) atomicAdd(faceSumData[at], units.x);
+    if (units.y != 0u) atomicAdd(faceSumData[at + 1u], units.y);
+    if (units.z != 0u) atomicAdd(faceSumData[at + 2u], units.z);
 }
 
 struct FaceSums {
@@ -25,20 +51,20 @@ struct FaceSums {
 };
 
 vec3 threeWords(uint at) {
-    return vec3(uvec3(faceData[at], faceData[at + 1u], faceData[at + 2u])) / frame.faceSumUnits;
+    return vec3(uvec3(faceSumData[at], faceSumData[at + 1u], faceSumData[at + 2u])) / frame.faceSumUnits;
 }
 
 FaceSums faceSums(uint id) {
-    uint at = faceAt(id);
-    float coverage = float(faceData[at + VCT_FACE_COVERAGE]) / frame.faceSumUnits;
-    vec2 place = vec2(faceData[at + VCT_FACE_PLACE], faceData[at + VCT_FACE_PLACE + 1u]) / frame.faceSumUnits;
+    uint at = sumsAt(id);
+    float coverage = float(faceSumData[at + VCT_FACE_COVERAGE]) / frame.faceSumUnits;
+    vec2 place = vec2(faceSumData[at + VCT_FACE_PLACE], faceSumData[at + VCT_FACE_PLACE + 1u]) / frame.faceSumUnits;
     vec3 emission = vec3(0.0);
 #ifdef VCT_EMISSION
     emission = threeWords(at + VCT_FACE_EMISSION) * frame.emissionRange;
 #endif
     return FaceSums(coverage, threeWords(at + VCT_FACE_ALBEDO), emission, place,
-                    faceData[at + VCT_FACE_PLANE], faceData[at + VCT_FACE_FRONT],
-                    vec4(float(faceData[at + VCT_FACE_CURVE]) / frame.faceSumUnits,
+                    faceSumData[at + VCT_FACE_PLANE], faceSumData[at + VCT_FACE_FRONT],
+                    vec4(float(faceSumData[at + VCT_FACE_CURVE]) / frame.faceSumUnits,
                          threeWords(at + VCT_FACE_CURVE + 1u)));
 }
 

@@ -76,6 +76,6 @@ void main() {
         vec3 own = ownRadiance(listed, id, albedo);
         faceIrradianceData[irradianceAt(id) + VCT_FACE_DIRECT] = packRgb9e5(own);
         vec3 irradiance = faceMean(id, VCT_MEAN_SHOWN).rgb + emitterIrradiance(id);
-        faceData[faceAt(id) + VCT_FACE_RADIANCE] = packRgb9e5(own + reflectedBounces(albedo, irradiance));
+        faceData[radianceAt(id)] = packRgb9e5(own + reflectedBounces(albedo, irradiance));
     }
 }

@@ -17,8 +17,8 @@ void main() {
         if ((moved >> uint(cascadeOf(listed.voxel)) & 1u) != 0u) continue;
         uint cell = texelFetch(previousIndex, listed.voxel, 0).r;
         if (!hasFace(cell, listed.face)) continue;
-        uint from = faceAt(faceId(cell, listed.face)), to = faceAt(commands[staticList].firstId + i);
-        for (uint word = 0u; word < faceWords; ++word)
-            faceData[to + word] = faceData[from + word];
+        uint from = sumsAt(faceId(cell, listed.face)), to = sumsAt(commands[staticList].firstId + i);
+        for (uint word = 0u; word < faceSumWords; ++word)
+            faceSumData[to + word] = faceSumData[from + word];
     }
 }

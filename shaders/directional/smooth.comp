@@ -68,7 +68,7 @@ void main() {
         storeFaceMean(id, VCT_MEAN_SHOWN, shown);
         vec3 albedo = unpackRgb9e5(faceData[faceAt(id) + VCT_FACE_REFLECTANCE]);
         vec3 own = unpackRgb9e5(faceIrradianceData[irradianceAt(id) + VCT_FACE_DIRECT]);
-        faceData[faceAt(id) + VCT_FACE_RADIANCE] =
+        faceData[radianceAt(id)] =
             packRgb9e5(own + reflectedBounces(albedo, shown.rgb + emitterIrradiance(id)));
     }
 }

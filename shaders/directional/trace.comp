@@ -68,7 +68,10 @@ void main() {
         // Baked light comes with a sight, and without hits.
         if (!isDynamic && faceIrradianceData[hitAt(id, 0u)] == VCT_HIT_UNKNOWN)
             storeFaceSight(id, FaceSight(0.0, 0u, 0u));
-        uint number = listed.isMerged ? 0u : isDynamic ? again : lightStep.rays;
+        FaceSight sight = faceSight(id);
+        uint unknown = uint(VCT_DIRECTIONS) - min(sight.rays + sight.backs, uint(VCT_DIRECTIONS));
+        uint number = isDynamic ? again : min(lightStep.rays, unknown);
+        if (listed.isMerged || number == 0u) continue;
         uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
         FaceRays rays = raysOf(listed, id);
         uint d = isDynamic ? lightStep.frame * again : 0u;

@@ -55,6 +55,7 @@ using glm::vec4;
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACES 2
 #define VCT_SSBO_FACE_IRRADIANCE 3
+#define VCT_SSBO_FACE_SUMS 3  // shared with VCT_SSBO_FACE_IRRADIANCE; no pass needs both
 #define VCT_SSBO_COUNTERS 4
 #define VCT_SSBO_COUNT 5
 // Storage blocks of the passes over vertices, which bind all of their buffers (jni/engine/deformer.h).
@@ -270,9 +271,13 @@ using glm::vec4;
 #define VCT_LIST_DYNAMIC 10
 #define VCT_LIST_STATIC 12
 #define VCT_LISTS 14
-// Words per base-level face (directional/face_sums.glsl), without and with sums of emission.
-#define VCT_FACE_WORDS 16u
-#define VCT_EMISSIVE_FACE_WORDS 20u
+// Words per base-level face besides its radiance (directional/face_data.glsl), and of its sums
+// (directional/face_sums.glsl), without and with emission.
+#define VCT_FACE_WORDS 3u
+#define VCT_EMISSIVE_FACE_WORDS 4u
+#define VCT_FACE_SUM_WORDS 12u
+#define VCT_EMISSIVE_FACE_SUM_WORDS 15u
+#define VCT_FACE_GROUP 64u  // faces whose radiance is stored together
 // Words per block of 4^3 voxels (directional/blocks.glsl).
 #define VCT_BLOCK_WORDS 24u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
@@ -456,6 +461,14 @@ VCT_FUNCTION uvec3 unpackEntry(uint entry) {
 // Entry of a face list: face 3 bits, x 9, y 9, z 9. A dynamic face is marked as merged if the voxel has the
 // same face in the static geometry. The static face then has the light of both.
 #define VCT_MERGED_FACE 0x80000000u
+// Positions of a base-level face's radiance and of the first of its `words` other words, behind those of the
+// faces before it.
+VCT_FUNCTION uint faceRadianceWord(uint id, uint words) {
+    return id / VCT_FACE_GROUP * VCT_FACE_GROUP * words + id;
+}
+VCT_FUNCTION uint faceWord(uint id, uint words) {
+    return (id / VCT_FACE_GROUP + 1u) * VCT_FACE_GROUP + id * words;
+}
 VCT_FUNCTION uint packFace(uvec3 voxel, uint face) {
     return (face << 27) | (voxel.x << 18) | (voxel.y << 9) | voxel.z;
 }

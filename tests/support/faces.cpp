@@ -33,15 +33,14 @@ Faces readFaces(const DirectionalVoxels& voxels) {
     Faces faces;
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
         // shaders/directional/face_data.glsl
-        const std::uint32_t* const face =
-            &words.at(voxels.firstFaceWord() + std::size_t{id} * voxels.faceWords());
+        const std::uint32_t* const face = &words.at(voxels.faceWord(id));
         const std::uint32_t surface = face[0], extent = face[1];
         faces[entry] = {(extent >> 25U) / 127.0,
                         (surface >> 24U) / 255.0,
                         normalFromCode(surface >> 8U & 255U, surface & 255U, 254.0),
                         (surface >> 16U & 255U) / 127.5 - 1.0,
-                        unpackRgb9e5(face[3]),
-                        unpackRgb9e5(face[2])};
+                        unpackRgb9e5(face[2]),
+                        unpackRgb9e5(words.at(voxels.radianceWord(id)))};
     }
     return faces;
 }

@@ -11,25 +11,32 @@ namespace vct::test {
 
 namespace {
 
-// The words of each face, summed over static geometry and dynamic objects.
+// The sums of each face, over static geometry and dynamic objects; of a scene in which nothing moves, the words
+// that were made from them.
 std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxels& voxels) {
-    std::vector<std::uint32_t> words(voxels.faceData().bytes() / sizeof(std::uint32_t));
-    voxels.faceData().read(words.data(), voxels.faceData().bytes());
+    const auto wordsOf = [](const gl::Buffer& buffer) {
+        std::vector<std::uint32_t> words(buffer.bytes() / sizeof(std::uint32_t));
+        if (!words.empty()) buffer.read(words.data(), buffer.bytes());
+        return words;
+    };
+    const std::vector<std::uint32_t> words = wordsOf(voxels.faceData()), all = wordsOf(voxels.faceSums());
     const shared::CommandLists commands = voxels.index().readCommands();
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
     for (const std::uint32_t list : {voxels.staticList(), voxels.dynamicList()}) {
         const shared::LevelCommands& base = commands.lists[list];
         for (std::uint32_t i = 0; i < base.faceCount; ++i) {
             const std::uint32_t entry = words.at(base.firstFace + i) & ~VCT_MERGED_FACE;
-            const std::uint32_t* const face =
-                &words.at(voxels.firstFaceWord() + std::size_t{base.firstId + i} * voxels.faceWords());
             std::vector<std::uint32_t>& sum = sums[entry];
-            // shaders/directional/face_data.glsl: two planes, then sums. The words before depend on them.
-            constexpr std::uint32_t firstPlane = 4, firstSum = 6, lastSum = 19;
-            sum.resize(std::min(voxels.faceWords(), lastSum) - firstPlane);
+            if (all.empty()) {
+                const auto face = words.begin() + voxels.faceWord(base.firstId + i);
+                sum.assign(face, face + voxels.faceWords());
+                continue;
+            }
+            // shaders/directional/face_sums.glsl: two planes, then sums.
+            const std::uint32_t* const face = &all.at(std::size_t{base.firstId + i} * voxels.sumWords());
+            sum.resize(voxels.sumWords());
             for (std::uint32_t word = 0; word < sum.size(); ++word)
-                sum[word] = firstPlane + word < firstSum ? std::max(sum[word], face[firstPlane + word])
-                                                         : sum[word] + face[firstPlane + word];
+                sum[word] = word < 2 ? std::max(sum[word], face[word]) : sum[word] + face[word];
         }
     }
     return sums;

@@ -75,6 +75,7 @@ void DirectionalVolume::voxelizeStatic(const GpuScene& scene, const Cascades& ca
     voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_, cascades);
     voxels_.markStatic();
     voxels_.resolve();
+    if (!hasDynamic_) voxels_.dropSums();
 }
 
 void DirectionalVolume::voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved) {

@@ -85,7 +85,7 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
                                      std::uint32_t moved) const {
     const gl::DebugGroup group("list faces");
     projection_.use();
-    voxels.bindLists();
+    voxels.bindForVoxelization();
     voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     if (keeps(list, voxels, moved)) {
         keepVoxels_.use();
@@ -112,7 +112,7 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std
                                       std::uint32_t moved) const {
     const gl::DebugGroup group("accumulate");
     projection_.use();
-    voxels.bindLists();
+    voxels.bindForVoxelization();
     if (keeps(list, voxels, moved)) {
         keepSums_.use();
         voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);

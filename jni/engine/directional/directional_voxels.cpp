@@ -87,6 +87,7 @@ Resources DirectionalVoxels::resources() const {
     Resources resources = index_.resources();
     add(resources, blocks_);
     add(resources, faceData_);
+    if (faceSums_.bytes() > 0) add(resources, faceSums_);
     for (const gl::Texture& texture : dynamicIndices_)
         add(resources, texture);
     if (otherStaticIndex_) add(resources, *otherStaticIndex_);
@@ -108,7 +109,8 @@ std::uint32_t DirectionalVoxels::firstFaceWord() const {
 // Sets the positions of the lists and of the blocks' bits in faceData(), in words
 // (shaders/directional/face_lists.glsl).
 void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
-    std::uint32_t next = firstFaceWord() + idCapacity() * faceWords(), firstId = 0;
+    const std::uint32_t groups = (idCapacity() + VCT_FACE_GROUP - 1) / VCT_FACE_GROUP;
+    std::uint32_t next = firstFaceWord() + groups * VCT_FACE_GROUP * (faceWords() + 1), firstId = 0;
     for (const std::uint32_t list : baseLists) {
         shared::LevelCommands& base = commands.lists[list];
         base.firstFace = next + firstId;
@@ -137,11 +139,15 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     if (otherStaticIndex_) gl::clearTexture3d(*otherStaticIndex_, cascades_ * grid());
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
+    faceSums_ = {};
     capacities_ = capacities;
     pose_ = staticPose_ = 0;
-    const std::vector<std::uint32_t> zeros(words());
-    faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
+    const std::size_t sums = std::size_t{idCapacity()} * sumWords();
+    const std::vector<std::uint32_t> zeros(std::max(words(), sums));
+    faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, words() * sizeof zeros[0],
                            zeros.data(), GL_DYNAMIC_COPY);
+    faceSums_ = gl::Buffer("sums of voxel faces", GL_SHADER_STORAGE_BUFFER,
+                           std::max(sums, std::size_t{1}) * sizeof zeros[0], zeros.data(), GL_DYNAMIC_COPY);
     shared::CommandLists commands = index_.initialCommands();
     placeLists(commands);
     index_.setCommands(commands);
@@ -160,10 +166,12 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     shared::CommandLists commands = index_.readCommands();
     const shared::CommandLists old = commands;
     std::vector<std::uint32_t> before(faceData_.bytes() / sizeof(std::uint32_t));
+    std::vector<std::uint32_t> sumsBefore(faceSums_.bytes() / sizeof(std::uint32_t));
     faceData_.read(before.data(), faceData_.bytes());
+    faceSums_.read(sumsBefore.data(), faceSums_.bytes());
     capacities_ = capacities;
     placeLists(commands);
-    std::vector<std::uint32_t> after(words());
+    std::vector<std::uint32_t> after(words()), sums(std::size_t{idCapacity()} * sumWords());
     const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
         std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(from), count,
                     after.begin() + static_cast<std::ptrdiff_t>(to));
@@ -175,8 +183,13 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         const shared::LevelCommands& was = old.lists[list];
         const std::uint32_t count = isOlder ? 0 : std::min(was.faceCount, was.faceCapacity);
         copy(was.firstFace, now.firstFace, count);
-        copy(firstFaceWord() + std::size_t{was.firstId} * faceWords(),
-             firstFaceWord() + std::size_t{now.firstId} * faceWords(), std::size_t{count} * faceWords());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            after[radianceWord(now.firstId + i)] = before[radianceWord(was.firstId + i)];
+            copy(faceWord(was.firstId + i), faceWord(now.firstId + i), faceWords());
+        }
+        std::copy_n(sumsBefore.begin() + static_cast<std::ptrdiff_t>(std::size_t{was.firstId} * sumWords()),
+                    std::size_t{count} * sumWords(),
+                    sums.begin() + static_cast<std::ptrdiff_t>(std::size_t{now.firstId} * sumWords()));
         if (list == 0) continue;  // its groups cover all lists of the base level, and its ids stay
         now.faceCount = count;
         now.staticFaces = std::min(now.staticFaces, count);
@@ -194,8 +207,11 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         after[now.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entry));
     }
     faceData_ = {};
+    faceSums_ = {};
     faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, after.size() * sizeof after[0],
                            after.data(), GL_DYNAMIC_COPY);
+    faceSums_ = gl::Buffer("sums of voxel faces", GL_SHADER_STORAGE_BUFFER, sums.size() * sizeof sums[0],
+                           sums.data(), GL_DYNAMIC_COPY);
     index_.setCommands(commands);
 }
 
@@ -231,7 +247,7 @@ void DirectionalVoxels::begin(bool withStatic) {
     const gl::DebugGroup group(withStatic ? "remove geometry" : "remove dynamic objects");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    bindLists();
+    bindForVoxelization();
     if (withStatic) {
         markStatic_.use();
         gl::Uniform1ui(VCT_UNIFORM_KEEPS, 0);
@@ -284,7 +300,7 @@ std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {
 
 void DirectionalVoxels::resolve() const {
     const gl::DebugGroup group("resolve faces");
-    bindLists();
+    bindForVoxelization();
     resolve_.use();
     staticIndex().bind(VCT_TEX_VOXELS);
     dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
@@ -300,6 +316,11 @@ void DirectionalVoxels::resolve() const {
 void DirectionalVoxels::bindLists() const {
     index_.bindLists();
     faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
+}
+
+void DirectionalVoxels::bindForVoxelization() const {
+    bindLists();
+    faceSums_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
 }
 
 void DirectionalVoxels::bindForRays() const {

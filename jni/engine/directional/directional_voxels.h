@@ -50,9 +50,20 @@ class DirectionalVoxels {
     const gl::Texture& blocks() const { return blocks_; }
     // The data of all faces, and the face lists: shaders/directional/face_data.glsl.
     const gl::Buffer& faceData() const { return faceData_; }
-    // Words per face in faceData(), and the position of the first face's.
+    // Words per face in faceData() besides its radiance, and the positions of a face's radiance and of the first
+    // of the others.
     std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
-    std::uint32_t firstFaceWord() const;
+    std::uint32_t radianceWord(std::uint32_t id) const {
+        return firstFaceWord() + shared::faceRadianceWord(id, faceWords());
+    }
+    std::uint32_t faceWord(std::uint32_t id) const {
+        return firstFaceWord() + shared::faceWord(id, faceWords());
+    }
+    // The sums of all faces: shaders/directional/face_sums.glsl. Empty after dropSums().
+    const gl::Buffer& faceSums() const { return faceSums_; }
+    std::uint32_t sumWords() const {
+        return emission_ ? VCT_EMISSIVE_FACE_SUM_WORDS : VCT_FACE_SUM_WORDS;
+    }
     const FaceCapacities& capacities() const { return capacities_; }
     // The lists of the base level in the order of their ids.
     static constexpr std::array<std::uint32_t, 5> baseLists{0, VCT_LIST_DYNAMIC, VCT_LIST_DYNAMIC + 1,
@@ -76,6 +87,8 @@ class DirectionalVoxels {
     void reset(const FaceCapacities& capacities);
     // Marks the listed faces as static. The lists return to these counts for each pose. Waits for the GPU.
     void markStatic();
+    // Frees the memory of the sums, if nothing will be voxelized until reset().
+    void dropSums() { faceSums_ = {}; }
     // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
     // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
     void grow(const FaceCapacities& capacities);
@@ -101,6 +114,8 @@ class DirectionalVoxels {
 
     // Binds the lists of voxels and faces, and the faces' data for shaders.
     void bindLists() const;
+    // The same, and the faces' sums.
+    void bindForVoxelization() const;
     // Binds the faces' data and the indices for rays (shaders/directional/ray.glsl).
     void bindForRays() const;
 
@@ -110,6 +125,7 @@ class DirectionalVoxels {
     void placeLists(shared::CommandLists& commands) const;
     void writeIndex(std::uint32_t list, std::uint32_t firstId,
                     const std::vector<std::uint32_t>& entries) const;
+    std::uint32_t firstFaceWord() const;
     std::size_t words() const;
 
     int cascades_;
@@ -117,7 +133,7 @@ class DirectionalVoxels {
     VoxelPyramid index_;
     std::vector<gl::Texture> dynamicIndices_;      // two, alternately of the present pose and the last one
     std::optional<gl::Texture> otherStaticIndex_;  // with cascades; the first one is index_'s
-    gl::Buffer faceData_;
+    gl::Buffer faceData_, faceSums_;
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0, staticPose_ = 0;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
