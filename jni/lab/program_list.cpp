@@ -21,9 +21,9 @@ namespace vct {
 
 namespace {
 
-constexpr std::array lightPrograms{"carry_over", "clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
-constexpr std::array rayPrograms{"carry_hits", "sky",    "trace",       "block",
-                                 "gather",     "refine", "smooth_rows", "smooth"};
+constexpr std::array lightPrograms{"clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
+constexpr std::array rayPrograms{"carry_over", "carry_hits", "sky",         "trace", "block",
+                                 "gather",     "refine",     "smooth_rows", "smooth"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);

@@ -98,7 +98,7 @@ void main() {
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * rayCount;
         for (int w = 0; w < rayWords && blocked > 0u; ++w)
             for (uint left = passing[w]; left != 0u; left &= left - 1u) {
-                uint d = uint(32 * w + findLSB(left)), hit = faceIrradianceData[hitAt(id, d)];
+                uint d = uint(32 * w + findLSB(left)), hit = cachedHit(id, d);
                 if (!countsInMean(hit)) continue;
                 COUNT(VCT_COUNTER_BLOCK_TRACE);
                 int number = cachedDirection(rays, d);

@@ -11,31 +11,36 @@ bool isIn(uint id, uint oldList) {
     return id - commands[oldList].firstId < commands[oldList].faceCapacity;
 }
 
+// The hit with the id that its face has in the new lists.
+uint hitInNewLists(uint hit) {
+    uint code = hit & ~VCT_HIT_NEAR, target = code - VCT_HIT_FACE;
+    bool isListedAnew = code >= VCT_HIT_FACE &&
+                        (isIn(target, dynamicList ^ 1u) || VCT_CASCADES > 1 && isIn(target, staticList ^ 1u));
+    if (!isListedAnew) return hit;
+    uint next = faceIrradianceData[forwardAt(target)];
+    return next == 0u ? VCT_HIT_UNKNOWN : VCT_HIT_FACE + next - 1u | hit & VCT_HIT_NEAR;
+}
+
 void main() {
     COUNT(VCT_COUNTER_CARRY_HITS);
     uint count = faceCount(list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_CARRY_HITS_FACE);
-        uint id = commands[list].firstId + i, from = faceIrradianceData[hitAt(id, 0u)];
+        uint id = commands[list].firstId + i, from = cachedHit(id, 0u);
         uint known = 0u, backs = 0u;
-        for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
-            COUNT(VCT_COUNTER_CARRY_HITS_HIT);
-            uint hit = from == 0u ? VCT_HIT_UNKNOWN : faceIrradianceData[hitAt(from - 1u, d)];
-            uint code = hit & ~VCT_HIT_NEAR;
-            if (code >= VCT_HIT_FACE) {
-                uint target = code - VCT_HIT_FACE;
-                if (isIn(target, dynamicList ^ 1u) || VCT_CASCADES > 1 && isIn(target, staticList ^ 1u)) {
-                    uint next = faceIrradianceData[forwardAt(target)];
-                    hit = next == 0u ? VCT_HIT_UNKNOWN : VCT_HIT_FACE + next - 1u | hit & VCT_HIT_NEAR;
-                }
+        for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
+            uvec4 hits = uvec4(VCT_HIT_UNKNOWN);
+            if (from != 0u) hits = cachedHits(from - 1u, quad);
+            COUNT(VCT_COUNTER_CARRY_HITS_FOUR);
+            for (int i = 0; i < 4; ++i) {
+                hits[i] = hitInNewLists(hits[i]);
+                if (countsInMean(hits[i]))
+                    ++known;
+                else if (hits[i] != VCT_HIT_UNKNOWN)
+                    ++backs;
             }
-            faceIrradianceData[hitAt(id, d)] = hit;
-            if (hit == VCT_HIT_UNKNOWN) continue;
-            if ((hit & ~VCT_HIT_NEAR) == VCT_HIT_BACK)
-                ++backs;
-            else
-                ++known;
+            storeCachedHits(id, quad, hits);
         }
         // The means over the rays that are known, of those that hit the sky.
         FaceSight sight = faceSight(id);

@@ -32,8 +32,8 @@ LastPlace lastPlaceOf(ivec3 voxel) {
 uint litFace(uint cell, int face) {
     if (!hasFace(cell, face)) return 0u;
     uint id = faceId(cell, face);
-    bool isLit = faceIrradianceData[hitAt(id, 0u)] != VCT_HIT_UNKNOWN ||
-                 faceIrradianceData[irradianceAt(id) + VCT_MEAN_SHOWN] != 0u;
+    bool isLit =
+        cachedHit(id, 0u) != VCT_HIT_UNKNOWN || faceIrradianceData[irradianceAt(id) + VCT_MEAN_SHOWN] != 0u;
     return isLit ? id + 1u : 0u;
 }
 
@@ -76,6 +76,6 @@ void main() {
                 faceIrradianceData[irradianceAt(from - 1u) + VCT_FACE_SIGHT];
         }
         // carry_hits.comp finds the face whose hits it copies in place of the first hit.
-        faceIrradianceData[hitAt(id, 0u)] = isSame || list == dynamicList ? from : 0u;
+        storeCachedHit(id, 0u, isSame || list == dynamicList ? from : 0u);
     }
 }

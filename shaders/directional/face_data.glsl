@@ -1,9 +1,9 @@
-// The data of the base-level faces that passes, rays and look-ups read, by the faces' ids: resolve.comp writes a
-// face's surface and material from its sums (directional/face_sums.glsl), and inject.comp its radiance.
-// VCT_EMISSION: surfaces emit light, so faces also have a word for emission.
+// The data of the base-level faces that passes, rays and look-ups read, by the faces' ids: resolve.comp
+// writes a face's surface and material from its sums (directional/face_sums.glsl), and inject.comp its
+// radiance. VCT_EMISSION: surfaces emit light, so faces also have a word for emission.
 //
-// The radiance of 64 faces is together, and then the other words of each of them, because the light step reads
-// the radiance of faces in any order (directional/gather.comp), and a cache holds more of them so.
+// The radiance of 64 faces is together, and then the other words of each of them, because the light step
+// reads the radiance of faces in any order (directional/gather.comp), and a cache holds more of them so.
 #include "shared/frame.glsl"
 #include "shared/normals.glsl"
 #include "directional/blocks.glsl"

@@ -1,7 +1,6 @@
 // The irradiance of each base-level face, by the face's id, relative to E, the irradiance of a surface that
 // faces the sun, and the faces that its rays hit. The buffer has, in this order: the words of the faces, a
-// word per id with the face's id in the next lists (directional/carry_over.comp), and the hits, by
-// direction and then by id.
+// word per id with the face's id in the next lists (directional/carry_over.comp), and the hits.
 //
 // A face keeps what its VCT_DIRECTIONS cached rays have hit. In each step the mean of the hits' radiance is
 // its irradiance `now`. A few rays are noisy from face to face, but the noise does not change as long as the
@@ -93,16 +92,45 @@ float closeness(float nearness) {
     return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
 }
 
-uint hitAt(uint id, uint direction) {
-    return lightStep.firstHit + direction * lightStep.idCapacity + id;
+// Four hits of 24 bits in three words: each word has one, and a byte of the fourth.
+#ifdef VCT_DIRECTIONS
+uint hitsAt(uint id, uint quad) {
+    return lightStep.firstHit + hitsWord(id, quad, uint(VCT_DIRECTIONS));
 }
+// The hits of the cached rays 4 `quad` to 4 `quad` + 3.
+uvec4 cachedHits(uint id, uint quad) {
+    uint at = hitsAt(id, quad), a = faceIrradianceData[at], b = faceIrradianceData[at + VCT_FACE_GROUP],
+         c = faceIrradianceData[at + 2u * VCT_FACE_GROUP];
+    return uvec4(a & 0xFFFFFFu, b & 0xFFFFFFu, c & 0xFFFFFFu, a >> 24u | b >> 24u << 8u | c >> 24u << 16u);
+}
+void storeCachedHits(uint id, uint quad, uvec4 hits) {
+    uint at = hitsAt(id, quad);
+    faceIrradianceData[at] = hits.x | hits.w << 24u;
+    faceIrradianceData[at + VCT_FACE_GROUP] = hits.y | hits.w >> 8u << 24u;
+    faceIrradianceData[at + 2u * VCT_FACE_GROUP] = hits.z | hits.w >> 16u << 24u;
+}
+uint cachedHit(uint id, uint direction) {
+    uint quad = direction >> 2u, place = direction & 3u;
+    if (place == 3u) return cachedHits(id, quad).w;
+    return faceIrradianceData[hitsAt(id, quad) + place * VCT_FACE_GROUP] & 0xFFFFFFu;
+}
+void storeCachedHit(uint id, uint direction, uint hit) {
+    uint quad = direction >> 2u, place = direction & 3u;
+    if (place == 3u) {
+        storeCachedHits(id, quad, uvec4(cachedHits(id, quad).xyz, hit));
+        return;
+    }
+    uint at = hitsAt(id, quad) + place * VCT_FACE_GROUP;
+    faceIrradianceData[at] = faceIrradianceData[at] & 0xFF000000u | hit;
+}
+#endif
 uint forwardAt(uint id) {
     return lightStep.firstForward + id;
 }
 
 // A cached ray that a moving object blocks: its direction, and what it hits in place of its cached hit.
 uint packBlocked(uint direction, uint hit) {
-    return direction << 24u | hit & 0xFFFFFFu;
+    return direction << 24u | hit;
 }
 
 // The number of blocked rays and of those among them that meet a back, and whether the face had the plane of

@@ -1,7 +1,7 @@
-// The sums of each base-level face, by its id: voxelization adds the fragments that cover the face. They are in
-// fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene fits
-// into 32 bits, as a triangle covers a face at most once. A scene in which nothing moves needs them only until
-// resolve.comp has run.
+// The sums of each base-level face, by its id: voxelization adds the fragments that cover the face. They are
+// in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene
+// fits into 32 bits, as a triangle covers a face at most once. A scene in which nothing moves needs them only
+// until resolve.comp has run.
 #include "directional/face_lists.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
@@ -57,7 +57,8 @@ vec3 threeWords(uint at) {
 FaceSums faceSums(uint id) {
     uint at = sumsAt(id);
     float coverage = float(faceSumData[at + VCT_FACE_COVERAGE]) / frame.faceSumUnits;
-    vec2 place = vec2(faceSumData[at + VCT_FACE_PLACE], faceSumData[at + VCT_FACE_PLACE + 1u]) / frame.faceSumUnits;
+    vec2 place =
+        vec2(faceSumData[at + VCT_FACE_PLACE], faceSumData[at + VCT_FACE_PLACE + 1u]) / frame.faceSumUnits;
     vec3 emission = vec3(0.0);
 #ifdef VCT_EMISSION
     emission = threeWords(at + VCT_FACE_EMISSION) * frame.emissionRange;

@@ -17,7 +17,7 @@ void main() {
         vec4 sky = vec4(0.0);
         for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
             COUNT(VCT_COUNTER_SKY_HIT);
-            uint hit = faceIrradianceData[hitAt(id, d)];
+            uint hit = cachedHit(id, d);
             vec3 aroundNormal = gatherDirection(cachedDirection(rays, d));
             if (countsInMean(hit)) sky += skyOf(hit, rays.axes * aroundNormal, aroundNormal);
         }

@@ -8,7 +8,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 // The next ray of a face that has not been traced, from `d` on.
 uint nextUnknown(uint id, uint d) {
-    while (d < uint(VCT_DIRECTIONS) && faceIrradianceData[hitAt(id, d)] != VCT_HIT_UNKNOWN)
+    while (d < uint(VCT_DIRECTIONS) && cachedHit(id, d) != VCT_HIT_UNKNOWN)
         ++d;
     return d;
 }
@@ -35,8 +35,8 @@ void replaceRay(uint id, uint before, uint hit, vec4 skyBefore, vec4 skyNow, flo
 
 // Makes all rays of a face unknown.
 void invalidateRays(uint id) {
-    for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d)
-        faceIrradianceData[hitAt(id, d)] = VCT_HIT_UNKNOWN;
+    for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad)
+        storeCachedHits(id, quad, uvec4(VCT_HIT_UNKNOWN));
     storeFaceSight(id, FaceSight(0.0, 0u, 0u));
     storeFaceMean(id, VCT_MEAN_SKY, vec4(0.0));
 }
@@ -66,8 +66,7 @@ void main() {
         }
         isDynamic = isDynamic || merged;
         // Baked light comes with a sight, and without hits.
-        if (!isDynamic && faceIrradianceData[hitAt(id, 0u)] == VCT_HIT_UNKNOWN)
-            storeFaceSight(id, FaceSight(0.0, 0u, 0u));
+        if (!isDynamic && cachedHit(id, 0u) == VCT_HIT_UNKNOWN) storeFaceSight(id, FaceSight(0.0, 0u, 0u));
         FaceSight sight = faceSight(id);
         uint unknown = uint(VCT_DIRECTIONS) - min(sight.rays + sight.backs, uint(VCT_DIRECTIONS));
         uint number = isDynamic ? again : min(lightStep.rays, unknown);
@@ -82,9 +81,9 @@ void main() {
             int direction = cachedDirection(rays, d);
             vec3 aroundNormal = gatherDirection(direction), towards = rays.axes * aroundNormal;
             float distance;
-            uint at = hitAt(id, d), before = faceIrradianceData[at];
+            uint before = cachedHit(id, d);
             uint hit = traceFrom(rays, towards, rays.reach, direction, geometry, distance);
-            faceIrradianceData[at] = hit;
+            storeCachedHit(id, d, hit);
             vec4 skyBefore = before == VCT_HIT_UNKNOWN ? vec4(0.0) : skyOf(before, towards, aroundNormal);
             replaceRay(id, before, hit, skyBefore, skyOf(hit, towards, aroundNormal), distance);
         }

@@ -148,13 +148,13 @@ using glm::vec4;
 #define VCT_COUNTER_FILL_BLOCKS 84
 #define VCT_COUNTER_FILL_BLOCKS_OCTANT 85
 #define VCT_COUNTER_GLOSS_RAY 86
-#define VCT_COUNTER_GATHER_HIT 87
+#define VCT_COUNTER_GATHER_HITS 87
 #define VCT_COUNTER_SMOOTH 88
 #define VCT_COUNTER_SMOOTH_FACE 89
 #define VCT_COUNTER_SMOOTH_ROWS 90
 #define VCT_COUNTER_CARRY_HITS 91
 #define VCT_COUNTER_CARRY_HITS_FACE 92
-#define VCT_COUNTER_CARRY_HITS_HIT 93
+#define VCT_COUNTER_CARRY_HITS_FOUR 93
 #define VCT_COUNTER_EMITTERS_OBJECT 94
 #define VCT_COUNTER_EMITTERS_PART 95
 #define VCT_COUNTER_GATHER_BLOCKED 96
@@ -277,7 +277,7 @@ using glm::vec4;
 #define VCT_EMISSIVE_FACE_WORDS 4u
 #define VCT_FACE_SUM_WORDS 12u
 #define VCT_EMISSIVE_FACE_SUM_WORDS 15u
-#define VCT_FACE_GROUP 64u  // faces whose radiance is stored together
+#define VCT_FACE_GROUP 64u  // faces whose radiance is stored together, and whose hits are
 // Words per block of 4^3 voxels (directional/blocks.glsl).
 #define VCT_BLOCK_WORDS 24u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
@@ -293,13 +293,13 @@ using glm::vec4;
 // The first of the five words that depend on what the cached rays have hit, and the last of them.
 #define VCT_FACE_SKY_WORD 12u
 #define VCT_FACE_SIGHT_WORD 16u
-// The hit of a cached ray: a face, or one of these. Bit VCT_HIT_NEAR is set if the ray is shorter than the
-// distance of ambient occlusion.
+// The hit of a cached ray, in 24 bits: a face, or one of these. Bit VCT_HIT_NEAR is set if the ray is shorter
+// than the distance of ambient occlusion.
 #define VCT_HIT_UNKNOWN 0u  // the ray has not been traced
 #define VCT_HIT_SKY 1u
 #define VCT_HIT_BACK 2u  // the back of a surface: the ray does not count
 #define VCT_HIT_FACE 3u  // plus the face's id
-#define VCT_HIT_NEAR 0x80000000u
+#define VCT_HIT_NEAR 0x800000u
 #define VCT_MAX_OBJECTS 128  // moving objects as spheres (directional/moving_objects.glsl)
 // Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
@@ -391,13 +391,12 @@ struct LightStep {
     uint updatesDirect;    // 1: direct light has changed
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
     uint bricksAlong;      // bricks along x and y of their texture
-    uint idCapacity;       // number of ids: distance of the hits of two directions in the buffer, in words
     uint firstForward;     // words of the buffer where the faces' next ids begin,
     uint firstHit;         // the hits,
     uint firstBlocked;     // and the blocked rays
     uint blockedCapacity;  // room for so many
     uint objectCount;      // moving objects
-    uint unusedStep0;
+    uint unusedStep0, unusedStep1;
     vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
 };
 
@@ -468,6 +467,13 @@ VCT_FUNCTION uint faceRadianceWord(uint id, uint words) {
 }
 VCT_FUNCTION uint faceWord(uint id, uint words) {
     return (id / VCT_FACE_GROUP + 1u) * VCT_FACE_GROUP + id * words;
+}
+// Position of the first of the three words that hold the hits 4 `quad` to 4 `quad` + 3 of a face, of
+// `directions`. The words of VCT_FACE_GROUP faces lie beside each other: the next of the three is so far
+// away.
+VCT_FUNCTION uint hitsWord(uint id, uint quad, uint directions) {
+    uint words = directions / 4u * 3u;
+    return (id / VCT_FACE_GROUP * words + 3u * quad) * VCT_FACE_GROUP + id % VCT_FACE_GROUP;
 }
 VCT_FUNCTION uint packFace(uvec3 voxel, uint face) {
     return (face << 27) | (voxel.x << 18) | (voxel.y << 9) | voxel.z;

@@ -11,8 +11,8 @@ namespace vct::test {
 
 namespace {
 
-// The sums of each face, over static geometry and dynamic objects; of a scene in which nothing moves, the words
-// that were made from them.
+// The sums of each face, over static geometry and dynamic objects; of a scene in which nothing moves, the
+// words that were made from them.
 std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxels& voxels) {
     const auto wordsOf = [](const gl::Buffer& buffer) {
         std::vector<std::uint32_t> words(buffer.bytes() / sizeof(std::uint32_t));

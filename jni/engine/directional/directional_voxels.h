@@ -50,8 +50,8 @@ class DirectionalVoxels {
     const gl::Texture& blocks() const { return blocks_; }
     // The data of all faces, and the face lists: shaders/directional/face_data.glsl.
     const gl::Buffer& faceData() const { return faceData_; }
-    // Words per face in faceData() besides its radiance, and the positions of a face's radiance and of the first
-    // of the others.
+    // Words per face in faceData() besides its radiance, and the positions of a face's radiance and of the
+    // first of the others.
     std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
     std::uint32_t radianceWord(std::uint32_t id) const {
         return firstFaceWord() + shared::faceRadianceWord(id, faceWords());
@@ -61,9 +61,7 @@ class DirectionalVoxels {
     }
     // The sums of all faces: shaders/directional/face_sums.glsl. Empty after dropSums().
     const gl::Buffer& faceSums() const { return faceSums_; }
-    std::uint32_t sumWords() const {
-        return emission_ ? VCT_EMISSIVE_FACE_SUM_WORDS : VCT_FACE_SUM_WORDS;
-    }
+    std::uint32_t sumWords() const { return emission_ ? VCT_EMISSIVE_FACE_SUM_WORDS : VCT_FACE_SUM_WORDS; }
     const FaceCapacities& capacities() const { return capacities_; }
     // The lists of the base level in the order of their ids.
     static constexpr std::array<std::uint32_t, 5> baseLists{0, VCT_LIST_DYNAMIC, VCT_LIST_DYNAMIC + 1,

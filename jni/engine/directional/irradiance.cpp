@@ -1,9 +1,12 @@
 #include "engine/directional/irradiance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
 
@@ -16,6 +19,22 @@ glm::ivec3 blocksSize(const DirectionalVoxels& voxels) {
     return voxels.grid() / VCT_BRICK_SIDE *
            glm::ivec3(DirectionalVoxels::directionsX, DirectionalVoxels::directionsY, voxels.cascades());
 }
+
+// Four cached hits as shaders/directional/face_irradiance.glsl packs them.
+struct CachedHits {
+    explicit CachedHits(const std::uint32_t* words) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t word = words[i * VCT_FACE_GROUP];
+            hits[i] = word & 0xFFFFFFU;
+            hits[3] |= word >> 24U << (8 * i);
+        }
+    }
+    void store(std::uint32_t* words) const {
+        for (std::size_t i = 0; i < 3; ++i)
+            words[i * VCT_FACE_GROUP] = hits[i] | (hits[3] >> (8 * i) << 24U);
+    }
+    std::array<std::uint32_t, 4> hits{};
+};
 
 void append(std::vector<std::string>& defines, const std::vector<std::string>& more) {
     defines.insert(defines.end(), more.begin(), more.end());
@@ -59,7 +78,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       emitters_(sources.emitters),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (listsChange) {
-        carryOver_.emplace(shaders, lightProgram("carry_over", sources));
+        carryOver_.emplace(shaders, raysProgram("carry_over", settings, sources));
         carryHits_.emplace(shaders, raysProgram("carry_hits", settings, sources));
     }
     if (hasObjects) block_.emplace(shaders, raysProgram("block", settings, sources));
@@ -71,7 +90,7 @@ GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     gl::GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
     const auto bytes = [&] {
         const auto hits = static_cast<std::size_t>(settings.directions);
-        const std::size_t words = VCT_EMITTERS_FACE_IRRADIANCE_WORDS + 1 + hits + hits / 8;
+        const std::size_t words = VCT_EMITTERS_FACE_IRRADIANCE_WORDS + 1 + hits / 4 * 3 + hits / 8;
         return words * ids * sizeof(std::uint32_t);
     };
     while (settings.directions > 16 && bytes() > static_cast<std::size_t>(largest))
@@ -171,9 +190,18 @@ void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
+std::size_t Irradiance::hitWords(std::uint32_t ids) const {
+    const std::size_t groups = (ids + VCT_FACE_GROUP - 1) / VCT_FACE_GROUP;
+    return groups * VCT_FACE_GROUP * static_cast<std::size_t>(settings_.directions) / 4 * 3;
+}
+
 void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
     const FaceCapacities before = std::exchange(capacities_, voxels.capacities());
     const std::uint32_t oldIds = std::exchange(idCapacity_, voxels.idCapacity());
+    constexpr std::uint32_t mostIds = VCT_HIT_NEAR - VCT_HIT_FACE;
+    if (idCapacity_ > mostIds)
+        throw Error("the scene covers faces of voxels with " + std::to_string(idCapacity_) +
+                    " ids, of which there are " + std::to_string(mostIds) + "; use a coarser grid");
     const std::uint32_t blockedBefore = blockedCapacity_;
     if (hasObjects_) {
         // All rays of a small scene, an eighth of those of a large one, or as many as there were.
@@ -184,14 +212,14 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
     if (oldIds != 0 && before == capacities_ && blockedBefore == blockedCapacity_) return;
     // The buffer begins with the faces' words. A word per face for its next id follows, then the hits, and
     // the rays that moving objects block.
-    const std::size_t perFace = irradianceWords(), hits = static_cast<std::size_t>(settings_.directions);
-    std::vector<std::uint32_t> words((perFace + 1 + hits) * idCapacity_ + blockedCapacity_);
+    const std::size_t perFace = irradianceWords();
+    std::vector<std::uint32_t> words((perFace + 1) * idCapacity_ + hitWords(idCapacity_) + blockedCapacity_);
     if (oldIds != 0) {
         // Faces keep their light and their hits, with other ids. This is rare enough to wait for the GPU.
         // With cascades, rays may have missed static faces that did not fit into the lists, so all are traced
         // again.
         const bool keepsHits = voxels.cascades() == 1;
-        std::vector<std::uint32_t> old((perFace + 1 + hits) * oldIds);
+        std::vector<std::uint32_t> old((perFace + 1) * oldIds + hitWords(oldIds));
         faceIrradiance_.read(old.data(), old.size() * sizeof old[0]);
         std::vector<std::uint32_t> newId(oldIds);
         std::size_t from = 0, to = 0;
@@ -201,18 +229,23 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
             from += before[list];
             to += capacities_[list];
         }
-        for (std::size_t id = 0; id < oldIds; ++id) {
+        std::uint32_t* const hits = &words[(perFace + 1) * idCapacity_];
+        const std::uint32_t* const oldHits = &old[(perFace + 1) * oldIds];
+        const auto directions = static_cast<std::uint32_t>(settings_.directions);
+        for (std::uint32_t id = 0; id < oldIds; ++id) {
             std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(perFace * id), perFace,
                         words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id]));
             if (!keepsHits)
                 std::fill_n(
                     words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id] + VCT_FACE_SKY_WORD), 5,
                     0);
-            for (std::size_t d = 0; d < hits && keepsHits; ++d) {
-                std::uint32_t hit = old[(perFace + 1 + d) * oldIds + id];
-                const std::uint32_t near = hit & VCT_HIT_NEAR, code = hit & ~VCT_HIT_NEAR;
-                if (code >= VCT_HIT_FACE) hit = near | (VCT_HIT_FACE + newId.at(code - VCT_HIT_FACE));
-                words[(perFace + 1 + d) * idCapacity_ + newId[id]] = hit;
+            for (std::uint32_t quad = 0; quad < directions / 4 && keepsHits; ++quad) {
+                CachedHits four(oldHits + shared::hitsWord(id, quad, directions));
+                for (std::uint32_t& hit : four.hits) {
+                    const std::uint32_t near = hit & VCT_HIT_NEAR, code = hit & ~VCT_HIT_NEAR;
+                    if (code >= VCT_HIT_FACE) hit = near | (VCT_HIT_FACE + newId.at(code - VCT_HIT_FACE));
+                }
+                four.store(hits + shared::hitsWord(newId[id], quad, directions));
             }
         }
     }
@@ -300,10 +333,9 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.updatesDirect = plan_.updatesDirect ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
     values.bricksAlong = bricksAlong_;
-    values.idCapacity = idCapacity_;
     values.firstForward = irradianceWords() * idCapacity_;
     values.firstHit = values.firstForward + idCapacity_;
-    values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(settings_.directions) * idCapacity_;
+    values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
     values.blockedCapacity = blockedCapacity_;
     values.objectCount = static_cast<std::uint32_t>(objects.size());
     std::copy(objects.begin(), objects.end(), values.object);

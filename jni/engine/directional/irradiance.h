@@ -15,11 +15,11 @@
 
 namespace vct {
 
-// A program of a light step, except for those below. `name`: carry_over, clear_bricks, place_bricks,
-// mark_walls or fill_bricks.
+// A program of a light step, except for those below. `name`: clear_bricks, place_bricks, mark_walls or
+// fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-// A program that depends on the number of directions. `name`: carry_hits, sky, trace, block, gather,
-// refine or smooth.
+// A program that depends on the number of directions. `name`: carry_over, carry_hits, sky, trace, block,
+// gather, refine or smooth.
 gl::ProgramDescription raysProgram(const std::string& name, const GatherSettings& settings,
                                    const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const LightFeatures& sources);
@@ -93,6 +93,8 @@ class Irradiance {
   private:
     void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
     void reserveFaces(const DirectionalVoxels& voxels);
+    // Words for the hits of so many faces.
+    std::size_t hitWords(std::uint32_t ids) const;
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
     bool takeBaked(const BakedLight& light, const DirectionalVoxels& voxels,
                    std::vector<std::uint32_t>& words) const;
