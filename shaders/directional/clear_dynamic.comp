@@ -1,6 +1,7 @@
 // Removes dynamic objects from the base level, before a new pose is voxelized: clears their bits in the
 // blocks, and the words and the index of the pose before the last one, which the new pose will use. With
 // cascades it does the same for the static geometry, before cascades that have moved are voxelized.
+#include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

@@ -5,8 +5,8 @@
 // The radiance of 64 faces is together, and then the other words of each of them, because the light step
 // reads the radiance of faces in any order (directional/gather.comp), and a cache holds more of them so.
 #include "shared/frame.glsl"
-#include "shared/normals.glsl"
 #include "directional/blocks.glsl"
+#include "directional/face_words.glsl"
 
 layout(std430, binding = VCT_SSBO_FACES) buffer FaceBlock {
     uint faceData[];  // blocks' words, faces' words by id, the lists, and a bit per occupied face of each
@@ -33,109 +33,11 @@ uint faceAt(uint id) {
     return allBlockWords() + faceWord(id, faceWords);
 }
 
-// Radiance in 32 bits: three mantissas of 9 bits and an exponent of 5 (EXT_texture_shared_exponent). Channels
-// are precise to 1/512 of the largest one, from 6e-5 to 65408. So a lamp and the third bounce of its light
-// fit beside each other.
-uint packRgb9e5(vec3 value) {
-    value = clamp(value, 0.0, 65408.0);
-    float largest = max(value.r, max(value.g, value.b));
-    int exponent = clamp(int((floatBitsToUint(largest) >> 23u) & 255u) - 126, -15, 16);
-    float scale = exp2(float(9 - exponent));
-    if (floor(largest * scale + 0.5) > 511.0) {
-        ++exponent;
-        scale *= 0.5;
-    }
-    uvec3 mantissa = uvec3(value * scale + 0.5);
-    return mantissa.r | mantissa.g << 9u | mantissa.b << 18u | uint(exponent + 15) << 27u;
+// The id at which a face's surface is (directional/resolve.comp). `isStatic`: of the static geometry alone.
+uint surfaceId(uint staticCell, uint dynamicCell, int face, bool isStatic) {
+    bool isShared = hasFace(staticCell, face) && hasFace(dynamicCell, face);
+    return faceId(hasFace(staticCell, face) && !(isStatic && isShared) ? staticCell : dynamicCell, face);
 }
-vec3 unpackRgb9e5(uint word) {
-    // 2^(exponent - 24), by the bits of a float, which cost less than exp2().
-    float scale = uintBitsToFloat((word >> 27u) + 103u << 23u);
-    return vec3(word & 511u, word >> 9u & 511u, word >> 18u & 511u) * scale;
-}
-
-// The plane of the surface in a voxel: its normal, and its distance from the voxel's middle along the normal,
-// in voxels, at most half the diagonal. Here and everywhere bits are masked one component at a time, because
-// some Mali drivers compute "vector & constant" wrongly (Dolphin, DriverDetails.h,
-// BUG_BROKEN_VECTOR_BITWISE_AND).
-struct SurfacePlane {
-    vec3 normal;
-    float offset;
-};
-
-// The key is in the highest bits, so that atomicMax() keeps the plane of the fragment with the largest one.
-// `isCurved`: the normals differ from the triangle's, as on a round surface made of flat triangles.
-uint packPlane(float key, bool isCurved, vec3 normal, float offset) {
-    uvec2 steps = uvec2(vec2(key, clamp(offset, -1.0, 1.0) * 0.5 + 0.5) * vec2(127.0, 255.0) + 0.5);
-    uvec2 code = (encodeOctahedral(normal) * 127u + 16383u) / 32767u;  // 254 steps: even, so 0 is exact
-    return (steps.x << 25) | (isCurved ? 1u << 24 : 0u) | (steps.y << 16) | (code.x << 8) | code.y;
-}
-bool isCurved(uint plane) {
-    return (plane & 1u << 24) != 0u;
-}
-SurfacePlane unpackPlane(uint word) {
-    uvec3 steps = uvec3(word >> 16 & 255u, word >> 8 & 255u, word & 255u);
-    return SurfacePlane(decodeOctahedral(steps.yz, 254.0), float(steps.x) / 127.5 - 1.0);
-}
-
-// The components along the axes that a face spans, cyclically behind the axis that it looks along.
-vec2 acrossFaces(vec3 v, int axis) {
-    return axis == 0 ? v.yz : axis == 1 ? v.zx : v.xy;
-}
-// The vector with these components across the face and along its axis.
-vec3 fromAcross(vec2 across, float along, int axis) {
-    return axis == 0   ? vec3(along, across)
-           : axis == 1 ? vec3(across.y, along, across.x)
-                       : vec3(across, along);
-}
-// The point of a plane in a voxel, from the voxel's middle, whose components across the face are `place`.
-vec3 pointOnPlane(SurfacePlane plane, int axis, vec2 place) {
-    vec2 across = acrossFaces(plane.normal, axis);
-    float along = (plane.offset - dot(across, place)) / plane.normal[axis];
-    return fromAcross(place, along, axis);
-}
-
-// A voxel's texel in the index: a bit per occupied face, and above them the id of its first face, counted
-// from 1. The texel is 0 if the voxel or its faces did not fit into the lists. Between the two passes over
-// the triangles it has the bits alone.
-uint packCell(uint firstId, uint faces) {
-    return (firstId + 1u) << VCT_FACE_MASK_BITS | faces;
-}
-bool hasFace(uint cell, int face) {
-    return (cell >> uint(face) & 1u) != 0u;
-}
-// The id of an occupied face.
-uint faceId(uint cell, int face) {
-    return (cell >> VCT_FACE_MASK_BITS) - 1u + uint(bitCount(cell & ((1u << uint(face)) - 1u)));
-}
-
-// The surface that blocks rays, of static and dynamic geometry together: the plane in the lower 24 bits, and
-// above them the opacity of the covered part (packExtent()).
-uint packSurface(uint plane, float opacity) {
-    return uint(clamp(opacity, 0.0, 1.0) * 255.0 + 0.5) << 24 | (plane & 0xFFFFFFu);
-}
-float opacityOf(uint surface) {
-    return float(surface >> 24) / 255.0;
-}
-
-// The part of its plane that a surface covers in the voxel.
-struct FaceExtent {
-    float coverage;  // of the voxel's cross-section, 0..1
-    bool isCurved;
-    vec2 place;    // middle of the covered part across the face, from the voxel's middle
-    uint inFront;  // a bit per face of the voxel: the covered part is in front of that face's plane,
-    uint behind;   // or behind it
-};
-uint packExtent(FaceExtent extent) {
-    uvec2 place = uvec2(clamp(extent.place + 0.5, 0.0, 1.0) * 62.0 + 0.5);
-    return uint(min(extent.coverage, 1.0) * 127.0 + 0.5) << 25 | (extent.isCurved ? 1u << 24 : 0u) |
-           place.x << 18 | place.y << 12 | extent.inFront << 6 | extent.behind;
-}
-FaceExtent unpackExtent(uint word) {
-    return FaceExtent(float(word >> 25) / 127.0, (word & 1u << 24) != 0u,
-                      vec2(word >> 18 & 63u, word >> 12 & 63u) / 62.0 - 0.5, word >> 6 & 63u, word & 63u);
-}
-
 SurfacePlane facePlane(uint id) {
     return unpackPlane(faceData[faceAt(id) + VCT_FACE_SURFACE]);
 }

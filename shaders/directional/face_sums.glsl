@@ -2,7 +2,8 @@
 // in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene
 // fits into 32 bits, as a triangle covers a face at most once. A scene in which nothing moves needs them only
 // until resolve.comp has run.
-#include "directional/face_lists.glsl"
+#include "shared/frame.glsl"
+#include "directional/face_words.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
     uint faceSumData[];

@@ -1,5 +1,6 @@
 // Copies the sums of the static faces of the cascades that have not moved to the ids that the faces have in
 // the present list.
+#include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/cascades.glsl"
 

@@ -1,5 +1,6 @@
 // First of two passes over the triangles: marks the occupied faces of each voxel. The first fragment of a
 // voxel appends it to the list.
+#include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "directional/coverage.glsl"
 

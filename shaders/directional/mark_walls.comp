@@ -2,7 +2,7 @@
 // bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay as
 // they are until the cascade moves; walls of dynamic objects are added to the bricks.
 #include "directional/cascades.glsl"
-#include "directional/face_sums.glsl"
+#include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 #include "directional/walls.glsl"
 
@@ -24,8 +24,9 @@ ivec3 unitVector(int axis) {
 }
 
 // The faces of a voxel; none if it is outside of the cascade of the voxel `near`.
-Cells cellsAt(ivec3 voxel, ivec3 near, bool hasDynamic) {
+Cells cellsAt(ivec3 voxel, ivec3 near) {
     if (voxel != clampToCascade(voxel, near, frame.gridSide)) return Cells(0u, 0u);
+    bool hasDynamic = frame.hasDynamicObjects != 0;
     return Cells(texelFetch(staticIndex, voxel, 0).r, hasDynamic ? texelFetch(dynamicIndex, voxel, 0).r : 0u);
 }
 
@@ -36,11 +37,13 @@ struct StraightFace {
     float position;  // of the surface along the axis, from the middle of the voxel
 };
 StraightFace straightFace(Cells cells, int face) {
-    if (!hasFace(cells.still | cells.moving, face)) return StraightFace(0.0, 0.0);
-    FaceSums sums = combinedSums(cells.still, cells.moving, face);
-    SurfacePlane plane = unpackPlane(visiblePlane(sums, face));
-    float along = plane.normal[face >> 1];
-    return StraightFace(((face & 1) == 0 ? along : -along) > 0.9 ? sums.coverage : 0.0, plane.offset / along);
+    // Walls of the static geometry's list are those without moving objects.
+    bool isStatic = list != dynamicList;
+    if (!hasFace(cells.still | (isStatic ? 0u : cells.moving), face)) return StraightFace(0.0, 0.0);
+    uint id = surfaceId(cells.still, cells.moving, face, isStatic);
+    SurfacePlane plane = facePlane(id);
+    float along = plane.normal[face >> 1], coverage = faceExtent(id).coverage;
+    return StraightFace(((face & 1) == 0 ? along : -along) > 0.9 ? coverage : 0.0, plane.offset / along);
 }
 
 // Writes a wall across `axis` into the words around the face `face` of `voxel`. `from`, `to`: the positions
@@ -83,7 +86,6 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
 void main() {
     COUNT(VCT_COUNTER_MARK_WALLS);
     uint count = faceCount(list);
-    bool hasDynamic = list == dynamicList;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_MARK_WALLS_FACE);
@@ -92,14 +94,13 @@ void main() {
         if ((listed.face & 1) != 0 || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
         const float minCoverage = 0.25;
         int axis = listed.face >> 1;
-        Cells cells = cellsAt(listed.voxel, listed.voxel, hasDynamic);
+        Cells cells = cellsAt(listed.voxel, listed.voxel);
         StraightFace front = straightFace(cells, listed.face);
         if (front.coverage < minCoverage) continue;
         // The back is in the same voxel or in the next one.
         StraightFace back = straightFace(cells, listed.face + 1);
         if (back.coverage < minCoverage) {
-            back = straightFace(cellsAt(listed.voxel - unitVector(axis), listed.voxel, hasDynamic),
-                                listed.face + 1);
+            back = straightFace(cellsAt(listed.voxel - unitVector(axis), listed.voxel), listed.face + 1);
             if (back.coverage < minCoverage) continue;
             back.position -= 1.0;
         }
@@ -112,7 +113,7 @@ void main() {
             COUNT(VCT_COUNTER_MARK_WALLS_SURFACE);
             ivec3 beside = listed.voxel;
             beside[axis] = int(floor(surfaces[i] + float(i) - 0.5));
-            Cells besideCells = cellsAt(beside, listed.voxel, hasDynamic);
+            Cells besideCells = cellsAt(beside, listed.voxel);
             for (int turn = 2; turn < 6; ++turn) {
                 COUNT(VCT_COUNTER_MARK_WALLS_CROSSED);
                 // The wall stands in the voxel of the face that it crosses, or in the one in front of it.
@@ -120,8 +121,7 @@ void main() {
                 ivec3 crossed = beside;
                 if (straightFace(besideCells, face).coverage == 0.0) {
                     crossed -= (face & 1) == 0 ? unitVector(face >> 1) : -unitVector(face >> 1);
-                    if (straightFace(cellsAt(crossed, listed.voxel, hasDynamic), face).coverage == 0.0)
-                        continue;
+                    if (straightFace(cellsAt(crossed, listed.voxel), face).coverage == 0.0) continue;
                 }
                 mark(crossed, face, axis, surfaces.x, surfaces.y);
             }

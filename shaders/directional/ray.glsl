@@ -33,12 +33,6 @@ struct RayHit {
 // differently, and without it rays would slip between them.
 const float acrossVoxel = 0.08, acrossPlane = 0.03;
 
-// The id at which a face's surface is (directional/resolve.comp). `isStatic`: of the static geometry alone.
-uint surfaceId(uint staticCell, uint dynamicCell, int face, bool isStatic) {
-    bool isShared = hasFace(staticCell, face) && hasFace(dynamicCell, face);
-    return faceId(hasFace(staticCell, face) && !(isStatic && isShared) ? staticCell : dynamicCell, face);
-}
-
 // True if a surface with this extent covers a point of its plane, both from the voxel's middle. The cells are
 // the voxel's. `dice`: 0..1; a surface with an opacity below 1 stops the share of the rays.
 bool covers(uint staticCell, uint dynamicCell, bool isStatic, int axis, uint surface, uint extentWord,

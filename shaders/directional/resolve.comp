@@ -1,6 +1,7 @@
 // Writes the surface and the material of each base-level face from its sums, after a pose has been voxelized.
 // A face that static and dynamic geometry share has two ids: at the static one are both together, and at the
 // dynamic one is the static geometry alone, for rays whose hits are kept while objects move.
+#include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

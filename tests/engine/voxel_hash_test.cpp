@@ -58,7 +58,7 @@ TEST_P(VoxelHash, IsTheSameForTwoRenderers) {
         where.add(grid.blockFaces);
         for (const std::vector<std::uint32_t>& words : grid.words)
             what.add(words);
-        for (const auto& [voxel, words] : grid.sums) {
+        for (const auto& [voxel, words] : grid.surfaces) {
             what.add(voxel);
             what.add(words);
         }

@@ -16,8 +16,9 @@ struct Grid {
     std::vector<std::vector<std::uint32_t>> words;  // of each level of packed voxels
     Faces faces;                                    // of directional voxels
     std::vector<std::uint32_t> blockFaces;          // sorted
-    // The sums of voxelization for each face of the base level.
-    std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
+    // For each face of the base level, the words of its surface, and the sums of voxelization, which scenes
+    // in which nothing moves do not keep.
+    std::map<std::uint32_t, std::vector<std::uint32_t>> surfaces, sums;
 };
 Grid gridOf(Renderer& renderer);
 
