@@ -33,14 +33,15 @@ void main() {
             uvec4 hits = uvec4(VCT_HIT_UNKNOWN);
             if (from != 0u) hits = cachedHits(from - 1u, quad);
             COUNT(VCT_COUNTER_CARRY_HITS_FOUR);
-            for (int i = 0; i < 4; ++i) {
-                hits[i] = hitInNewLists(hits[i]);
-                if (countsInMean(hits[i]))
-                    ++known;
-                else if (hits[i] != VCT_HIT_UNKNOWN)
-                    ++backs;
-            }
+            hits = uvec4(hitInNewLists(hits.x), hitInNewLists(hits.y), hitInNewLists(hits.z),
+                         hitInNewLists(hits.w));
             storeCachedHits(id, quad, hits);
+            uint unknown = uint(hits.x == VCT_HIT_UNKNOWN) + uint(hits.y == VCT_HIT_UNKNOWN) +
+                           uint(hits.z == VCT_HIT_UNKNOWN) + uint(hits.w == VCT_HIT_UNKNOWN);
+            uint counted = uint(countsInMean(hits.x)) + uint(countsInMean(hits.y)) +
+                           uint(countsInMean(hits.z)) + uint(countsInMean(hits.w));
+            known += counted;
+            backs += 4u - counted - unknown;
         }
         // The means over the rays that are known, of those that hit the sky.
         FaceSight sight = faceSight(id);
