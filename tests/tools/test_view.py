@@ -33,7 +33,7 @@ def display(tmp_path_factory):
         pytest.skip(f"a window needs {' and '.join(missing)}: install the packages xvfb and xdotool (scripts/setup.sh)")
     folder = tmp_path_factory.mktemp("screen")
     reading, writing = os.pipe()
-    # Without -noreset the server starts anew when its last client leaves, and refuses who comes meanwhile.
+    # Without -noreset the server starts again when its last client leaves, and refuses who comes meanwhile.
     server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "900x700x24", "-fbdir", folder,
                                "-nolisten", "tcp", "-noreset"], pass_fds=[writing], stderr=subprocess.DEVNULL)
     os.close(writing)
