@@ -103,7 +103,7 @@ void includeSubject(const Scene& scene, const Subject& subject, std::vector<Reac
     const auto moves = [](const Instance& instance) { return instance.moves(); };
     // The vertices of moving objects are those of the rest pose, but the bounds contain all poses.
     if (scene.instances.empty() || std::any_of(scene.instances.begin(), scene.instances.end(), moves)) {
-        for (const glm::dvec3& corner : cornersOf(scene.boundsWorld))
+        for (const glm::dvec3& corner : cornersOf(subject.boundsWorld))
             include(corner);
         return;
     }

@@ -1,4 +1,4 @@
-// Implements computeBounds() and shuffleTriangles() of gltf.h.
+// Implements computeBounds(), boundsOfPoses() and shuffleTriangles() of gltf.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,7 +61,8 @@ bool isUsable(const glm::dvec3& world) {
     return std::isfinite(world.x + world.y + world.z) && largest <= maxCoordinate;
 }
 
-// Returns the bounds of `rest` and all poses, where poses count only inside of `limit`.
+}  // namespace
+
 Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit) {
     struct Moving {
         int node;
@@ -137,8 +138,6 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
     }
     return bounds;
 }
-
-}  // namespace
 
 void computeBounds(Scene& scene) {
     Bounds bounds = noBounds;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/gltf.h"
+
 namespace vct {
 namespace {
 
@@ -31,9 +33,6 @@ Bounds boundsOf(const Scene& scene, const Instance& instance) {
 
 Subject subjectOf(const Scene& scene) {
     Subject subject{scene.boundsWorld, std::vector<bool>(scene.instances.size()), false};
-    if (std::any_of(scene.instances.begin(), scene.instances.end(),
-                    [](const Instance& instance) { return instance.moves(); }))
-        return subject;
     const Bounds& all = scene.boundsWorld;
     const double highest = all.min.y + lowness * (all.max.y - all.min.y);
     std::vector<bool> isGround(scene.instances.size());
@@ -41,10 +40,13 @@ Subject subjectOf(const Scene& scene) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Bounds bounds = boundsOf(scene, scene.instances[i]);
         const glm::dvec3 size = bounds.max - bounds.min;
-        isGround[i] = size.y <= flatness * std::max(size.x, size.z) && bounds.max.y <= highest;
+        isGround[i] = !scene.instances[i].moves() && size.y <= flatness * std::max(size.x, size.z) &&
+                      bounds.max.y <= highest;
         Bounds& sum = isGround[i] ? ground : others;
         sum = united(sum, bounds);
     }
+    // Empty bounds stay empty, because only what is there moves.
+    if (!scene.animation.channels.empty()) others = boundsOfPoses(scene, others, all);
     const auto reaches = [&](int axis) {
         return ground.min[axis] <= others.min[axis] && ground.max[axis] >= others.max[axis] &&
                ground.max[axis] - ground.min[axis] >= minReach * (others.max[axis] - others.min[axis]);

@@ -8,13 +8,13 @@
 namespace vct {
 
 struct Subject {
-    Bounds boundsWorld;          // of all instances but the ground
+    Bounds boundsWorld;          // of all instances but the ground, in all poses
     std::vector<bool> isGround;  // per instance
     bool hasGround = false;
 };
 
-// The ground is a flat instance under all others that reaches far beyond them. A scene in which something
-// moves has none, because its bounds are those of all poses.
+// The ground is a flat instance under all others that reaches far beyond them in all of their poses, and does
+// not move.
 Subject subjectOf(const Scene& scene);
 
 // True if the scene is one small object, or a few on a ground: what a photographer would take to a studio.
