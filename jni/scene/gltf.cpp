@@ -159,6 +159,16 @@ void scaleFile(GltfFile& file, double scale) {
     }
 }
 
+// Tells why nothing is left to draw.
+[[noreturn]] void failWithoutTriangles(const GltfFile& file) {
+    std::string what = "its scene has no triangles";
+    if (!file.missingExtensions.empty())
+        what += " without the extensions that it requires and vct does not know: " + file.missingExtensions;
+    else if (!file.warnings.empty())
+        what += " (" + listText(file.warnings) + ")";
+    file.fail(what, "export it with a mesh");
+}
+
 Scene buildScene(GltfFile& file, const GltfOptions& options) {
     Scene scene;
     scene.path = file.path;
@@ -192,12 +202,7 @@ Scene buildScene(GltfFile& file, const GltfOptions& options) {
             count(first);
         }
     }
-    if (scene.instances.empty() && !file.missingExtensions.empty())
-        file.fail(
-            "its scene has no triangles without the extensions that it requires and vct does not know: " +
-                file.missingExtensions,
-            "export it with a mesh");
-    if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
+    if (scene.instances.empty()) failWithoutTriangles(file);
     keepSomethingVisible(file, scene);
     computeBounds(scene);
     const std::size_t lights = scene.punctualLights.size();

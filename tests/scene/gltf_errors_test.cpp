@@ -85,6 +85,7 @@ const Damage damages[] = {
     {"/accessors/2/componentType", "5123", "component type"},
     {"/accessors/3/componentType", "5126", "unsigned"},
     {"/accessors/3/count", "2", "no triangles"},
+    {"/meshes/0/primitives/0/mode", "1", "no triangles (points and lines are left out)"},
     {"/accessors/0/sparse/indices/byteOffset", "6", "writes element 3 of 3"},
     {"/accessors/0/sparse/indices/byteOffset", "-2", "negative"},
     {"/accessors/0/sparse/indices/componentType", "5126", "sparse"},
