@@ -40,10 +40,10 @@ def pixels(path):
     return np.asarray(PIL.Image.open(path).convert("RGB")).astype(int)
 
 
-def render(program, folder, scene, preset, driver, *arguments, size="96x96", exposure=1):
+def render(program, folder, scene, preset, driver, *arguments, size="96x96", exposure=1, light_frames=2):
     """The messages of the run."""
     done = subprocess.run([program, "render", ROOT / f"assets/{scene}.glb", "--preset", preset, "--size", size, "--grid", "64",
-                           "--light-frames", "2", "--exposure", str(exposure), "--samples", "1", "--out", folder, *arguments],
+                           "--light-frames", str(light_frames), "--exposure", str(exposure), "--samples", "1", "--out", folder, *arguments],
                           env=driver, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{scene}, {preset}: {done.stderr}"
     return done.stderr
@@ -95,15 +95,15 @@ def test_pictures_without_geometry_shaders(program, angle, tmp_path, preset, sce
         assert unlike(reference, found) <= MAX_FRACTION_ON_EDGES
 
 
-# The sun's map has a tile for each cascade. Whole triangles of the ground must not be dark or striped. Indirect light differs more,
-# under eaves and beside poles.
+# The sun's map has a tile for each cascade. Whole triangles of the ground must not be dark or striped. The light has converged: after
+# two frames up to 1.8 % of the pixels differ, where single rays still weigh much.
 @pytest.mark.parametrize("cascades", [3, 6])
 def test_the_suns_shadow_in_a_town_with_cascades(program, angle, tmp_path, cascades):
     drivers = {"llvmpipe": os.environ, "swiftshader": environment(angle, "swiftshader")}
     for name, driver in drivers.items():
         render(program, tmp_path / name, "town", "mobile", driver, "--cascades", str(cascades), "--sky", "0,0,0", "--light-parts",
-               "--mode", "shadow-map,gi-cone-shadow", size="192x128")
-    for part, most in {"shadow-map": MAX_FRACTION_OFF_EDGES, "cone_shadow": MAX_FRACTION_OFF_EDGES, "gi-cone-shadow": 0.025}.items():
+               "--mode", "shadow-map,gi-cone-shadow", size="192x128", light_frames=15)
+    for part, most in {"shadow-map": MAX_FRACTION_OFF_EDGES, "cone_shadow": MAX_FRACTION_OFF_EDGES, "gi-cone-shadow": 0.005}.items():
         reference, found = (pixels(tmp_path / name / f"{part}.png") for name in drivers)
         assert reference.std() > 20, f"{part} shows light and shadow"
         assert unlike_off_edges(reference, found) <= most, part
