@@ -1,4 +1,4 @@
-// How radiance, planes, surfaces and extents of faces are packed into words, and the index of the voxels.
+// Packs radiance, planes, surfaces and extents of faces into words, and cells into the index of the voxels.
 #include "shared/normals.glsl"
 
 // Radiance in 32 bits: three mantissas of 9 bits and an exponent of 5 (EXT_texture_shared_exponent). Channels
