@@ -155,10 +155,11 @@ def test_the_printed_command_renders_the_view(view, program, root, tmp_path):
     assert difference(first, turned) > 5
     again = rendered(program, words, tmp_path)
     assert difference(turned, again) < 1.0  # the window has not refined its light yet
-    # Compares below the panel's button; the cursor may be in the picture, and the window smooths edges.
-    shown = window.screen(480, 360)[60:]
-    assert np.median(np.abs(shown - turned[60:])) <= 1
-    assert difference(shown, turned[60:]) < 4
+    # Compares below the panel's button and the line about the test of the driver, which stays long on a busy machine. The cursor may be
+    # in the picture, and the window smooths edges.
+    shown = window.screen(480, 360)[100:]
+    assert np.median(np.abs(shown - turned[100:])) <= 1
+    assert difference(shown, turned[100:]) < 4
     window.close("key", "Escape")
 
 
