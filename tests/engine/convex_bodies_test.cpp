@@ -144,7 +144,6 @@ TEST(ConvexMirror, DoesNotReflectItself) {
     scene.materials[0].roughness = 0.0F;
     Settings settings = presetSettings("mobile");
     settings.size = glm::ivec2(96);
-    settings.lightFrames = 8;  // a body that reflects itself does so in the first bounces
     const Context context = openContext(Backend::egl);
     FrameInspector frame(context, finished(std::move(scene)), lightFrom({0, 0, 1}), settings,
                          lookAt({0, 0.3, 4.0}, {0, 0, 0}, 34.0));
