@@ -28,9 +28,14 @@ class DrawRegion {
     }
     static DrawRegion volume() { return cube(glm::dvec3(0.0), 1.0); }
     // A cube in volume space.
-    static DrawRegion cube(const glm::dvec3& corner, double side) {
-        glm::dmat4 fromVolume(1.0 / side);
-        fromVolume[3] = glm::dvec4(-corner / side, 1.0);
+    static DrawRegion cube(const glm::dvec3& corner, double side) { return box({corner, corner + side}); }
+    // A box in volume space.
+    static DrawRegion box(const Bounds& box) {
+        const glm::dvec3 scale = 1.0 / (box.max - box.min);
+        glm::dmat4 fromVolume(1.0);
+        for (int axis = 0; axis < 3; ++axis)
+            fromVolume[axis][axis] = scale[axis];
+        fromVolume[3] = glm::dvec4(-box.min * scale, 1.0);
         return DrawRegion(fromVolume);
     }
 

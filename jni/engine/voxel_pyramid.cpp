@@ -27,16 +27,14 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
     const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid * cascades;
     shared::CommandLists commands{};
     commands.dynamicList = VCT_LIST_DYNAMIC;
-    commands.staticList = cascades > 1 ? VCT_LIST_STATIC : 0;
     std::uint32_t firstEntry = 0;
     for (int list = 0; list < VCT_LISTS; ++list) {
-        const bool isStatic = list >= VCT_LIST_STATIC, isDynamic = !isStatic && list >= VCT_LIST_DYNAMIC;
+        const bool isDynamic = list >= VCT_LIST_DYNAMIC;
         // Directional voxels have a list of voxels at the base level only, and a list of the faces of blocks.
         const bool isPacked = kind == VoxelPyramid::Kind::packed,
                    isOfBlocks = !isPacked && list == VCT_BRICK_LEVEL;
-        const bool exists = isStatic    ? cascades > 1
-                            : isDynamic ? kind == VoxelPyramid::Kind::staticAndDynamicFaces
-                                        : isOfBlocks || list < levelsOf(grid, kind);
+        const bool exists = isDynamic ? kind == VoxelPyramid::Kind::staticAndDynamicFaces
+                                      : isOfBlocks || list < levelsOf(grid, kind);
         if (!exists) continue;
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;

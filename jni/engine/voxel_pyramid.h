@@ -21,8 +21,7 @@ class VoxelPyramid {
         packed,
         // The texture holds the index of the base level's faces (shaders/directional/face_lists.glsl).
         staticFaces,
-        // The same for the static geometry; dynamic objects have separate lists. With cascades, both kinds
-        // have separate lists for the static geometry.
+        // The same for the static geometry; dynamic objects have separate lists.
         staticAndDynamicFaces,
     };
     // `baseCapacity`: entries of the base level's list; 0 means 16 grid^2, where a closed surface that fills

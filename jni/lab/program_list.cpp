@@ -35,9 +35,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
         packedMipmapperProgram(), packedClearProgram(),   voxelViewProgram(),
 
-        listFacesProgram(),       clearBlocksProgram(),   resetListsProgram(),        markStaticProgram(),
-        keepVoxelsProgram(),      shadowMomentsProgram(), nextShadowMomentsProgram(), deformProgram(),
-        copyVerticesProgram(),    sortAxesProgram()};
+        listFacesProgram(),       clearBlocksProgram(),   resetListsProgram(),
+        markStaticProgram(),      shadowMomentsProgram(), nextShadowMomentsProgram(),
+        deformProgram(),          copyVerticesProgram(),  sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
@@ -69,7 +69,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
         {{false, false}, {true, false}, {true, true}}};
     for (const auto& [emission, emitters] : emissionAndEmitters) {
         programs.push_back(clearDynamicProgram(emission));
-        programs.push_back(keepSumsProgram(emission));
+        programs.push_back(unlistStaticProgram(emission));
+        programs.push_back(scrollProgram(emission));
         programs.push_back(resolveProgram(emission));
         programs.push_back(fillBlocksProgram(emission));
         for (const bool environment : {false, true}) {
@@ -144,10 +145,10 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         add(Step::voxelize, clearDynamicProgram(emission));
         add(Step::voxelize, clearBlocksProgram());
         add(Step::voxelize, resetListsProgram());
+        add(Step::voxelize, markStaticProgram(), false);
         if (settings.cascades > 1) {
-            add(Step::voxelize, markStaticProgram());
-            add(Step::voxelize, keepVoxelsProgram());
-            add(Step::voxelize, keepSumsProgram(emission));
+            add(Step::voxelize, unlistStaticProgram(emission), false);
+            add(Step::voxelize, scrollProgram(emission), false);
         }
         for (unsigned f : features.materialFeatures) {
             add(Step::voxelize, markFacesProgram(f));

@@ -14,6 +14,7 @@ void main() {
     vec4 baseColor = materialBaseColor();
     if (materialIsHole(baseColor.a)) discard;
     ivec3 voxel = fragmentVoxel();
+    if (isKept(voxel)) discard;
     uint cell = texelFetch(index, listedVoxel(voxel), 0).r;
     vec3 albedo = materialIsUnlit ? vec3(0.0) : clamp(baseColor.rgb, 0.0, 1.0);
     vec3 emission = materialEmissive() * (draw.surface.w / frame.emissionRange);

@@ -75,14 +75,15 @@ float distanceTo(uint hit, FaceRays rays, vec3 direction) {
 
 void main() {
     COUNT(VCT_COUNTER_BLOCK);
-    uint count = faceCount(listOfStatic());
+    uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+    for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
         COUNT(VCT_COUNTER_BLOCK_FACE);
-        uint id = firstStaticId() + i, at = irradianceAt(id) + VCT_FACE_BLOCKED;
+        uint at = irradianceAt(id) + VCT_FACE_BLOCKED;
+        ListedFace listed = baseFace(id);
         // The rays of merged faces meet moving objects as they are traced.
-        if ((faceIrradianceData[at + 1u] & wasMerged) != 0u) continue;
-        FaceRays rays = raysOf(baseFace(id), id);
+        if (listed.isMerged || (faceIrradianceData[at + 1u] & wasMerged) != 0u) continue;
+        FaceRays rays = raysOf(listed, id);
         // The rays that pass an object come first, and then their hits.
         uint passing[rayWords] = raysPastObjects(rays);
         uint blocked = 0u;

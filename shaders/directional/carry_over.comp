@@ -1,7 +1,7 @@
 // Gives the faces of dynamic objects in a new pose the light and the hits of the last pose: those of the same
 // face, or else of a neighbouring one, dynamic in the last pose or static. If cascades have moved with the
-// camera, static faces come first, and a face that the same cascade did not hold takes over the light of a
-// coarser one, without its hits. carry_hits.comp follows.
+// camera, static faces come first: those that are new to a cascade take over the light of a coarser one,
+// without its hits. carry_hits.comp follows.
 #include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
@@ -11,18 +11,19 @@ layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
-// The voxel's place before the cascades moved, in its own cascade or in a coarser one.
+// The voxel's place before the cascades moved, in its own cascade or in a coarser one. A static voxel is in
+// its place, and one that is new to its cascade is looked for in the next one.
 struct LastPlace {
     ivec3 voxel;
     bool isSame;  // in its own cascade
 };
 LastPlace lastPlaceOf(ivec3 voxel) {
     if (cascades == 1) return LastPlace(voxel, true);
-    int own = cascadeOf(voxel), cascade = own;
+    int own = cascadeOf(voxel), cascade = list == 0u ? min(own + 1, cascades - 1) : own;
     vec3 middle = volumeFromVoxels(vec3(voxel) + 0.5, own);
-    while (cascade < cascades - 1 && voxelsInside(middle, frame.lastCascade[cascade]) <= 0.0)
+    while (list != 0u && cascade < cascades - 1 && voxelsInside(middle, frame.lastCascade[cascade]) <= 0.0)
         ++cascade;
-    vec4 cube = frame.lastCascade[cascade];
+    vec4 cube = list == 0u ? frame.cascade[cascade] : frame.lastCascade[cascade];
     ivec3 first = ivec3(0, 0, cascade * frame.gridSide);
     ivec3 last = first + ivec3(floor((middle - cube.xyz) * cube.w));
     return LastPlace(clamp(last, first, first + frame.gridSide - 1), cascade == own);
@@ -32,6 +33,7 @@ LastPlace lastPlaceOf(ivec3 voxel) {
 uint litFace(uint cell, int face) {
     if (!hasFace(cell, face)) return 0u;
     uint id = faceId(cell, face);
+    if (VCT_CASCADES > 1 && id < commands[0].faceCapacity && isFresh(id)) return 0u;
     bool isLit =
         cachedHit(id, 0u) != VCT_HIT_UNKNOWN || faceIrradianceData[irradianceAt(id) + VCT_MEAN_SHOWN] != 0u;
     return isLit ? id + 1u : 0u;
@@ -45,9 +47,10 @@ void main() {
         COUNT(VCT_COUNTER_CARRY_OVER_FACE);
         ListedFace listed = listedFace(list, i);
         uint id = commands[list].firstId + i;
+        if (list == 0u && (listed.isMerged || !isFresh(id))) continue;
         LastPlace last = lastPlaceOf(listed.voxel);
         uint from = litFace(texelFetch(previousIndex, last.voxel, 0).r, listed.face);
-        bool isSame = from != 0u && last.isSame;
+        bool isSame = list != 0u && from != 0u && last.isSame;
         for (int n = 0; n < 27 && from == 0u; ++n) {
             COUNT(VCT_COUNTER_CARRY_OVER_NEIGHBOUR);
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
@@ -59,15 +62,13 @@ void main() {
         uint to = irradianceAt(id);
         for (uint word = 0u; word < VCT_IRRADIANCE_WORDS; ++word)
             faceIrradianceData[to + word] = 0u;
-        faceIrradianceData[forwardAt(id)] = 0u;
+        if (list != 0u) faceIrradianceData[forwardAt(id)] = 0u;
         if (isSame) {
             uint old = irradianceAt(from - 1u);
             // Direct light and the light of emitters of a moving object change.
-            uint words = list == dynamicList ? VCT_FACE_DIRECT : VCT_IRRADIANCE_WORDS;
-            for (uint word = 0u; word < words; ++word)
+            for (uint word = 0u; word < VCT_FACE_DIRECT; ++word)
                 faceIrradianceData[to + word] = faceIrradianceData[old + word];
             faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
-            faceData[radianceAt(id)] = faceData[radianceAt(from - 1u)];
         } else if (from != 0u) {
             storeFaceMean(id, VCT_MEAN_NOW, faceMean(from - 1u, VCT_MEAN_NOW));
             storeFaceMean(id, VCT_MEAN_SHOWN, faceMean(from - 1u, VCT_MEAN_SHOWN));
@@ -75,7 +76,8 @@ void main() {
             faceIrradianceData[to + VCT_FACE_SIGHT] =
                 faceIrradianceData[irradianceAt(from - 1u) + VCT_FACE_SIGHT];
         }
+        faceData[radianceAt(id)] = from != 0u ? faceData[radianceAt(from - 1u)] : 0u;
         // carry_hits.comp finds the face whose hits it copies in place of the first hit.
-        storeCachedHit(id, 0u, isSame || list == dynamicList ? from : 0u);
+        if (list != 0u) storeCachedHit(id, 0u, from);
     }
 }

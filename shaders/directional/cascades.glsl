@@ -20,6 +20,11 @@ ivec3 firstOfCascade(ivec3 voxel, int side) {
     return ivec3(0, 0, cascades == 1 ? 0 : voxel.z & ~(side - 1));
 }
 
+// The move of a cascade, in voxels, as packShift() packs it.
+ivec3 unpackShift(uint shift) {
+    return ivec3(int(shift << 22u) >> 22, int(shift << 12u) >> 22, int(shift << 2u) >> 22);
+}
+
 // The voxel nearest to `wanted` in the cascade of `voxel`.
 ivec3 clampToCascade(ivec3 wanted, ivec3 voxel, int side) {
     ivec3 first = firstOfCascade(voxel, side);

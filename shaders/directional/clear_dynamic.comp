@@ -1,24 +1,21 @@
 // Removes dynamic objects from the base level, before a new pose is voxelized: clears their bits in the
-// blocks, and the words and the index of the pose before the last one, which the new pose will use. With
-// cascades it does the same for the static geometry, before cascades that have moved are voxelized.
+// blocks, and the words and the index of the pose before the last one, which the new pose will use.
 #include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // index of the older pose
-layout(location = VCT_UNIFORM_LIST) uniform uint last;                             // list of the last pose
 
 void main() {
     COUNT(VCT_COUNTER_CLEAR_DYNAMIC);
-    uint older = last ^ 1u;
-    bool isDynamic = (last & ~1u) == uint(VCT_LIST_DYNAMIC);
+    uint last = dynamicList, older = last ^ 1u;
     uint lastCount = faceCount(last), olderCount = faceCount(older);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < max(lastCount, olderCount); i += stride) {
         COUNT(VCT_COUNTER_CLEAR_DYNAMIC_FACE);
         if (i < lastCount) {
             ListedFace listed = listedFace(last, i);
-            uint bits = blockWords(listed.voxel >> VCT_BRICK_LEVEL, listed.face, isDynamic);
+            uint bits = blockWords(listed.voxel >> VCT_BRICK_LEVEL, listed.face, true);
             faceData[bits] = 0u;
             faceData[bits + 1u] = 0u;
         }

@@ -23,12 +23,21 @@ ivec3 fragmentVoxel() {
 // The same voxel where the lists and textures have it, behind those of finer cascades.
 #if VCT_CASCADES > 1
 layout(location = VCT_UNIFORM_CASCADE) uniform uint cascade;  // cascade that triangles are voxelized into
+layout(location = VCT_UNIFORM_SHIFT) uniform uint shift;      // packShift() of its move
 ivec3 listedVoxel(ivec3 voxel) {
     return voxel + ivec3(0, 0, int(cascade) * frame.gridSide);
+}
+// True if the cascade held a voxel before it moved. Then the voxel has its faces.
+bool isKept(ivec3 voxel) {
+    ivec3 before = voxel + unpackShift(shift);
+    return before == clamp(before, ivec3(0), ivec3(frame.gridSide - 1));
 }
 #else
 ivec3 listedVoxel(ivec3 voxel) {
     return voxel;
+}
+bool isKept(ivec3 voxel) {
+    return false;
 }
 #endif
 

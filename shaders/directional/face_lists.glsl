@@ -2,10 +2,10 @@
 //
 // At the base level, static geometry and dynamic objects have separate lists. The position in these lists
 // gives a face its id, which locates its sums and its irradiance. Static faces have the first ids and keep
-// them. Two ranges of ids for dynamic faces follow. They alternate from pose to pose, so that a new pose can
-// read the last one. With cascades, static faces have two ranges that alternate as well, because cascades
-// move. The list of VCT_BRICK_LEVEL holds the faces of blocks: the static ones, then those that only dynamic
-// objects cover.
+// them as long as a cascade holds them; ids that a cascade leaves behind as it moves are used again. Two
+// ranges of ids for dynamic faces follow. They alternate from pose to pose, so that a new pose can read the
+// last one. The list of VCT_BRICK_LEVEL holds the faces of blocks: the static ones, then those that only
+// dynamic objects cover.
 #include "directional/face_data.glsl"
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
@@ -13,7 +13,7 @@
 struct ListedFace {
     ivec3 voxel;
     int face;       // 0..5: +x, -x, +y, -y, +z, -z
-    bool isMerged;  // a dynamic face whose sums are added to a static face's
+    bool isMerged;  // a dynamic face whose sums are added to a static face's, or an id without a face
 };
 
 ListedFace unpackListed(uint entry) {
@@ -27,30 +27,13 @@ ListedFace listedFace(uint list, uint i) {
     return unpackListed(faceData[commands[list].firstFace + i]);
 }
 
-// The list of the static faces, and the id of its first face.
-#if VCT_CASCADES > 1
-uint listOfStatic() {
-    return staticList;
-}
-uint firstStaticId() {
-    return commands[staticList].firstId;
-}
-#else
-uint listOfStatic() {
-    return 0u;
-}
-uint firstStaticId() {
-    return 0u;
-}
-#endif
-
-// The number of faces of the base level, static and dynamic, and the id of each.
+// The number of ids of the base level's faces in use or free, static and dynamic, and each of them.
 uint baseFaceCount() {
-    return faceCount(listOfStatic()) + faceCount(dynamicList);
+    return faceCount(0u) + faceCount(dynamicList);
 }
 uint baseFaceId(uint i) {
-    uint staticCount = faceCount(listOfStatic());
-    return i < staticCount ? firstStaticId() + i : commands[dynamicList].firstId + i - staticCount;
+    uint staticCount = faceCount(0u);
+    return i < staticCount ? i : commands[dynamicList].firstId + i - staticCount;
 }
 ListedFace baseFace(uint id) {
     return listedFace(0u, id);
@@ -66,6 +49,48 @@ uint reserveFaces(uint list, uint count) {
         atomicAdd(commands[dispatched].faceGroupsX, 1u);
     return first;
 }
+
+// Static ids have two bits each: set if no face has the id any more, and if its face has no light yet
+// (directional/carry_over.comp).
+uint freeAt(uint id) {
+    return commands[0].firstMask + id / 32u;
+}
+uint freshAt(uint id) {
+    return freeAt(id) + (commands[0].faceCapacity + 31u) / 32u;
+}
+bool isFresh(uint id) {
+    return (faceData[freshAt(id)] >> (id & 31u) & 1u) != 0u;
+}
+// The bits of `count` ids from `first` on, in the word of `first` or in the next one.
+uint bitsOfIds(uint first, uint count, uint inWord) {
+    uint bits = (1u << count) - 1u, shift = first & 31u;
+    return inWord == 0u ? bits << shift : shift == 0u ? 0u : bits >> (32u - shift);
+}
+const uint noIds = 0xFFFFFFFFu;
+#if VCT_CASCADES > 1
+// Takes `count` successive free ids, 1 to 6, and returns the first; noIds if a search finds none.
+uint takeFreeIds(uint count) {
+    const uint mostWords = 512u;  // of a search
+    uint words = commands[0].faceCapacity / 32u, start = atomicAdd(searchedWords, 1u);
+    for (uint n = 0u; n < min(words, mostWords); ++n) {
+        uint word = (start + n) % words, at = commands[0].firstMask + word, free = faceData[at];
+        // Each failed attempt means that another invocation has taken bits of the word.
+        for (int attempt = 0; attempt < 32; ++attempt) {
+            uint firsts = free;
+            for (uint i = 1u; i < count; ++i)
+                firsts &= free >> i;
+            if (firsts == 0u) break;
+            uint place = uint(findLSB(firsts)), bits = ((1u << count) - 1u) << place;
+            free = atomicAnd(faceData[at], ~bits);
+            if ((free & bits) == bits) return 32u * word + place;
+            atomicOr(faceData[at], free & bits);
+            free &= ~bits;
+        }
+    }
+    return noIds;
+}
+#endif
+
 void storeListed(uint list, uint i, ivec3 voxel, int face, uint flags) {
     if (i < commands[list].faceCapacity)
         faceData[commands[list].firstFace + i] = packFace(uvec3(voxel), uint(face)) | flags;

@@ -1,5 +1,5 @@
-// First of two passes over the triangles: marks the occupied faces of each voxel. The first fragment of a
-// voxel appends it to the list.
+// First of two passes over the triangles: marks the occupied faces of each voxel that has none with ids. The
+// first fragment of a voxel appends it to the list.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "directional/coverage.glsl"
@@ -14,5 +14,8 @@ void main() {
     uint faces = coveredFaces(coverage);
     if (materialIsDoubleSided) faces |= coveredFaces(-coverage);
     ivec3 voxel = listedVoxel(fragmentVoxel());
+#if VCT_CASCADES > 1
+    if (isKept(fragmentVoxel()) || imageLoad(index, voxel).r > VCT_FACE_MASK) discard;
+#endif
     if (faces != 0u && imageAtomicOr(index, voxel, faces) == 0u) appendVoxel(list, uvec3(voxel));
 }

@@ -91,6 +91,7 @@ void main() {
         COUNT(VCT_COUNTER_MARK_WALLS_FACE);
         ListedFace listed = listedFace(list, i);
         // A wall has two faces, and is found from the one that looks along its axis.
+        if (list == 0u && listed.isMerged) continue;
         if ((listed.face & 1) != 0 || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
         const float minCoverage = 0.25;
         int axis = listed.face >> 1;

@@ -1,11 +1,11 @@
 // Resets the lists before a new pose is voxelized, and makes the other one of the two dynamic lists the
-// current one. The lists then hold the static geometry, or nothing if that is voxelized as well.
+// current one. The lists then hold the static geometry, or no voxels if that is listed as well. Static faces
+// keep their ids in any case.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
 layout(local_size_x = VCT_LISTS) in;
-layout(
-    location = VCT_UNIFORM_LIST) uniform uint next;  // the next static list, if cascades have moved; else 0
+layout(location = VCT_UNIFORM_STATIC) uniform uint withStatic;
 
 uint groupsOf(uint count) {
     return min((count + uint(VCT_LIST_GROUP) - 1u) / uint(VCT_LIST_GROUP), VCT_MAX_GROUPS);
@@ -17,9 +17,13 @@ void main() {
     barrier();
     if (list == 0u) {
         dynamicList = nextDynamic;
-        if (next != 0u) staticList = next;
+        if (withStatic != 0u) unplacedFaces = 0u;
     }
-    if (list >= uint(VCT_LIST_DYNAMIC) && list != nextDynamic && list != next) return;
+    if (list >= uint(VCT_LIST_DYNAMIC) && list != nextDynamic) return;
+    if (withStatic != 0u) {
+        commands[list].staticVoxels = 0u;
+        if (list != 0u) commands[list].staticFaces = 0u;
+    }
     commands[list].voxelCount = commands[list].staticVoxels;
     commands[list].groupsX = groupsOf(commands[list].staticVoxels);
     commands[list].faceCount = commands[list].staticFaces;

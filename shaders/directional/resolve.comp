@@ -49,6 +49,7 @@ void main() {
         COUNT(VCT_COUNTER_RESOLVE_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
+        if (listed.isMerged && id < commands[0].faceCapacity) continue;  // no face has the id
         int axis = listed.face >> 1;
         uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;

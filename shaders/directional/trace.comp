@@ -57,6 +57,9 @@ void main() {
         COUNT(VCT_COUNTER_TRACE_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
+        // All faces have light now. (The first of the ids that share a word clears it.)
+        if (VCT_CASCADES > 1 && id < commands[0].faceCapacity && (id & 31u) == 0u) faceData[freshAt(id)] = 0u;
+        if (listed.isMerged) continue;
         bool isDynamic = id - firstDynamic < dynamicCount;
         uint blocked = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
         bool merged = !isDynamic && isMergedNow(listed);
@@ -70,7 +73,7 @@ void main() {
         FaceSight sight = faceSight(id);
         uint unknown = uint(VCT_DIRECTIONS) - min(sight.rays + sight.backs, uint(VCT_DIRECTIONS));
         uint number = isDynamic ? again : min(lightStep.rays, unknown);
-        if (listed.isMerged || number == 0u) continue;
+        if (number == 0u) continue;
         uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
         FaceRays rays = raysOf(listed, id);
         uint d = isDynamic ? lightStep.frame * again : 0u;

@@ -7,7 +7,8 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     uint dynamicList;
     uint blockedRays;
     uint mostBlockedRays;
-    uint staticList;
+    uint unplacedFaces;
+    uint searchedWords;
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];

@@ -134,10 +134,10 @@ using glm::vec4;
 #define VCT_COUNTER_GLOSS_MARK 61
 #define VCT_COUNTER_GLOSS_HALF 62
 #define VCT_COUNTER_MARK_STATIC 63
-#define VCT_COUNTER_KEEP_VOXELS 64
-#define VCT_COUNTER_KEEP_VOXELS_VOXEL 65
-#define VCT_COUNTER_KEEP_SUMS 66
-#define VCT_COUNTER_KEEP_SUMS_FACE 67
+#define VCT_COUNTER_UNLIST_STATIC 64
+#define VCT_COUNTER_UNLIST_STATIC_FACE 65
+#define VCT_COUNTER_SCROLL 66
+#define VCT_COUNTER_SCROLL_FACE 67
 #define VCT_COUNTER_RESOLVE 68
 #define VCT_COUNTER_RESOLVE_FACE 69
 #define VCT_COUNTER_RESOLVE_OTHER 70
@@ -177,7 +177,8 @@ using glm::vec4;
 #define VCT_COUNTER_SKY_FACE 122
 #define VCT_COUNTER_SKY_HIT 123
 #define VCT_COUNTER_SMOOTH_ROWS_FACE 124
-#define VCT_COUNTER_COUNT 125
+#define VCT_COUNTER_SCROLL_OF_VOXEL 125
+#define VCT_COUNTER_COUNT 126
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -228,7 +229,9 @@ using glm::vec4;
 #define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2          // the cascades that have moved, a bit for each
-#define VCT_UNIFORM_KEEPS 1             // 1: what is listed is static from now on; 0: nothing is
+#define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
+#define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
+#define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
 #define VCT_UNIFORM_AXIS 0              // axis along which the triangles of a draw call are voxelized
@@ -265,12 +268,10 @@ using glm::vec4;
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
-// Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which
-// alternate from pose to pose; and with cascades two for the static geometry, which alternate as the cascades
-// move. `list ^ 1` is the other one of a pair.
+// Lists of voxels and faces (directional/face_lists.glsl): one per level, and two for the dynamic objects,
+// which alternate from pose to pose. `list ^ 1` is the other one of the pair.
 #define VCT_LIST_DYNAMIC 10
-#define VCT_LIST_STATIC 12
-#define VCT_LISTS 14
+#define VCT_LISTS 12
 // Words per base-level face besides its radiance (directional/face_data.glsl), and of its sums
 // (directional/face_sums.glsl), without and with emission.
 #define VCT_FACE_WORDS 3u
@@ -391,7 +392,7 @@ struct LightStep {
     uint updatesDirect;    // 1: direct light has changed
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
     uint bricksAlong;      // bricks along x and y of their texture
-    uint firstForward;     // words of the buffer where the faces' next ids begin,
+    uint firstForward;     // words of the buffer where the next ids of all faces would begin,
     uint firstHit;         // the hits,
     uint firstBlocked;     // and the blocked rays
     uint blockedCapacity;  // room for so many
@@ -436,7 +437,7 @@ struct LevelCommands {
     uint firstFace;  // position of the face list, in words of the buffer of faces
     uint faceCapacity;
     uint firstId;    // id of the list's first face; base level only
-    uint firstMask;  // position of the bits of occupied faces, in words; 0 at the base level
+    uint firstMask;  // position of bits, in words: of occupied faces of blocks; of ids at the base level
     // Counts of the static geometry. The lists return to these counts for each pose.
     uint staticVoxels;
     uint staticFaces;
@@ -446,7 +447,8 @@ struct CommandLists {
     uint dynamicList;  // list of the dynamic objects in the present pose
     uint blockedRays;  // cached rays that moving objects block, so far in the step (directional/block.comp)
     uint mostBlockedRays;  // the largest number in a step, also of those that did not fit
-    uint staticList;       // list of the static geometry: 0, or with cascades the present one of two
+    uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
+    uint searchedWords;    // searches for free ids so far
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.
@@ -457,9 +459,13 @@ VCT_FUNCTION uvec3 unpackEntry(uint entry) {
     return uvec3(entry >> 21, (entry >> 10) & 0x7FFu, entry & 0x3FFu);
 }
 
-// Entry of a face list: face 3 bits, x 9, y 9, z 9. A dynamic face is marked as merged if the voxel has the
-// same face in the static geometry. The static face then has the light of both.
+// Entry of a face list: face 3 bits, x 9, y 9, z 9. The first face of each voxel is marked, whose ids follow
+// each other. A dynamic face is marked as merged if the voxel has the same face in the static geometry. The
+// static face then has the light of both. The entry of an id without a face, which a cascade has left behind,
+// counts as merged too.
+#define VCT_FIRST_FACE 0x40000000u
 #define VCT_MERGED_FACE 0x80000000u
+#define VCT_FREE_FACE 0xFFFFFFFFu
 // Positions of a base-level face's radiance and of the first of its `words` other words, behind those of the
 // faces before it.
 VCT_FUNCTION uint faceRadianceWord(uint id, uint words) {
@@ -483,6 +489,11 @@ VCT_FUNCTION uvec3 unpackFaceVoxel(uint entry) {
 }
 VCT_FUNCTION uint unpackFace(uint entry) {
     return (entry >> 27) & 7u;
+}
+
+// The steps of a cascade's move along the axes, in voxels, 10 bits each: -512..511.
+VCT_FUNCTION uint packShift(ivec3 voxels) {
+    return (uint(voxels.x) & 0x3FFu) | (uint(voxels.y) & 0x3FFu) << 10 | (uint(voxels.z) & 0x3FFu) << 20;
 }
 
 // Location of a brick of irradiance in its texture, in bricks: 10 bits per coordinate, and a bit that is

@@ -23,10 +23,12 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
     const shared::CommandLists commands = voxels.index().readCommands();
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
     if (all.empty()) return sums;
-    for (const std::uint32_t list : {voxels.staticList(), voxels.dynamicList()}) {
+    for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
         const shared::LevelCommands& base = commands.lists[list];
         for (std::uint32_t i = 0; i < base.faceCount; ++i) {
-            const std::uint32_t entry = words.at(base.firstFace + i) & ~VCT_MERGED_FACE;
+            std::uint32_t entry = words.at(base.firstFace + i);
+            if (entry == VCT_FREE_FACE) continue;
+            entry &= ~(VCT_MERGED_FACE | VCT_FIRST_FACE);
             std::vector<std::uint32_t>& sum = sums[entry];
             // shaders/directional/face_sums.glsl: two planes, then sums.
             const std::uint32_t* const face = &all.at(std::size_t{base.firstId + i} * voxels.sumWords());

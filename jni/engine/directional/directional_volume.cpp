@@ -10,17 +10,32 @@ namespace vct {
 
 namespace {
 
-// Capacity for a count that changes: half as many again, so that buffers rarely grow.
-std::uint32_t capacityFor(std::uint32_t count) {
+// Capacities for counts that change, so that buffers rarely grow: half as many again for objects, which may
+// turn and come nearer, and an eighth for static geometry that cascades reach.
+std::uint32_t roomForObjects(std::uint32_t count) {
     return count + count / 2 + 256;
 }
+std::uint32_t roomForMoves(std::uint32_t count) {
+    return count + count / 8 + 256;
+}
 
-// A bit for each cascade that is not where it was.
-std::uint32_t movedCascades(const std::optional<Cascades>& before, const Cascades& now) {
-    if (!before) return DirectionalVoxels::allCascades;
+// The moves of the cascades. Moves by more than a cascade's side leave nothing of it, as one by its side
+// does.
+CascadeShifts shiftsOf(const Cascades& before, const Cascades& now, int grid) {
+    CascadeShifts shifts{};
+    for (int i = 0; i < now.count(); ++i) {
+        const glm::dvec3 voxels = (now.corner(i) - before.corner(i)) * (grid / now.side(i));
+        shifts.at(static_cast<std::size_t>(i)) =
+            glm::ivec3(glm::round(glm::clamp(voxels, -static_cast<double>(grid), static_cast<double>(grid))));
+    }
+    return shifts;
+}
+
+// A bit for each cascade that has moved.
+std::uint32_t movedCascades(const CascadeShifts& shifts) {
     std::uint32_t moved = 0;
-    for (int i = 0; i < now.count(); ++i)
-        moved |= before->corner(i) != now.corner(i) ? 1U << i : 0U;
+    for (std::size_t i = 0; i < shifts.size(); ++i)
+        moved |= shifts.at(i) != glm::ivec3(0) ? 1U << i : 0U;
     return moved;
 }
 
@@ -36,7 +51,7 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       hasDynamic_(scene.moves() || voxelizesAll_),
       voxels_(shaders, settings.grid, settings.cascades, settings.activeVoxelLimit, hasDynamic_,
               sources.emission),
-      voxelizer_(shaders, scene, settings.grid, settings.cascades, sources.emission),
+      voxelizer_(shaders, scene, settings.grid, sources.emission),
       counts_("counts of listed faces", sizeof(shared::CommandLists)),
       injector_(shaders, sources) {}
 
@@ -50,108 +65,109 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
         if (light_) light_->onRaysBlocked(found.mostBlockedRays);
         return;
     }
-    voxelizeStatic(scene, cascades);
-    bool grew = hasDynamic_ || hasCascades_;
-    while (grew) {
-        voxelize(scene, cascades, hasCascades_ ? DirectionalVoxels::allCascades : 0);
-        grew = growIfNeeded(voxels_.index().readCommands());
+    // Everything is voxelized twice: first to count the faces, then into lists that have room for them.
+    voxels_.reset({});
+    for (;;) {
+        voxelize(scene, {cascades});
+        const FaceCapacities needed = capacitiesFor(voxels_.index().readCommands());
+        if (needed == voxels_.capacities()) break;
+        voxels_.reset(needed);
     }
+    if (!hasDynamic_ && !hasCascades_) voxels_.dropSums();
+    cascades_ = cascades;
+    isIncomplete_ = false;
+    if (light_) light_->invalidate();
     isPrepared_ = true;
 }
 
-// Lists the faces twice: the first pass counts them, the second has room for them.
-void DirectionalVolume::voxelizeStatic(const GpuScene& scene, const Cascades& cascades) {
-    voxels_.reset({});
-    cascades_.reset();
-    if (voxelizesAll_ || hasCascades_) return;
-    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_, cascades);
-    const shared::CommandLists found = voxels_.index().readCommands();
-    voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
-    FaceCapacities capacities{};
-    for (const std::size_t list : {0U, unsigned{VCT_BRICK_LEVEL}})
-        capacities[list] = found.lists[list].faceCount;
-    voxels_.reset(capacities);
-    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_, cascades);
-    voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_, cascades);
-    voxels_.markStatic();
+void DirectionalVolume::voxelize(const GpuScene& scene, const DirectionalVoxelizer::Region& still) {
+    if (!voxelizesAll_) {
+        voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_, still);
+        voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_, still);
+        voxels_.markStatic();
+    }
+    if (hasDynamic_) voxelizeDynamic(scene, still.cascades);
     voxels_.resolve();
-    if (!hasDynamic_) voxels_.dropSums();
 }
 
-void DirectionalVolume::voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved) {
-    if (moved != 0) {
-        voxels_.beginStatic();
-        const std::uint32_t list = voxels_.staticList();
-        voxelizer_.listFaces(scene, ScenePart::staticOnly, list, voxels_, cascades, moved);
-        voxelizer_.accumulate(scene, ScenePart::staticOnly, list, voxels_, cascades, moved);
-        voxels_.endStatic();
-    } else {
+void DirectionalVolume::voxelizeDynamic(const GpuScene& scene, const Cascades& cascades) {
+    const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
+    voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_, {cascades});
+    voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_, {cascades});
+}
+
+std::uint32_t DirectionalVolume::revoxelize(const GpuScene& scene, const Cascades& cascades, bool rebuilds) {
+    const CascadeShifts shifts = shiftsOf(*cascades_, cascades, voxels_.grid());
+    const std::uint32_t moved = movedCascades(shifts);
+    rebuilds = hasCascades_ && (rebuilds || isIncomplete_);
+    cascades_ = cascades;
+    isIncomplete_ = false;
+    if (moved == 0 && !rebuilds) {
         voxels_.beginPose();
+        voxelizeDynamic(scene, cascades);
+        voxels_.resolve();
+        return 0;
     }
-    if (hasDynamic_) {
-        const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
-        voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_, cascades);
-        voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_, cascades);
+    voxels_.beginMove(shifts, moved, rebuilds);
+    if (rebuilds)
+        voxelize(scene, {cascades});
+    else
+        voxelize(scene, {cascades, moved, &shifts});
+    return rebuilds ? DirectionalVoxels::allCascades : moved;
+}
+
+FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& found) const {
+    FaceCapacities capacities = voxels_.capacities();
+    const shared::LevelCommands& dynamic = found.lists[found.dynamicList];
+    const shared::LevelCommands& still = found.lists[0];
+    const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
+    const auto check = [&](const char* objects, std::uint32_t count, std::uint32_t capacity) {
+        if (count > capacity)
+            throw Error(objects + std::string(" objects occupy ") + std::to_string(count) + " voxels at " +
+                        std::to_string(voxels_.grid()) + "^3, but their list has a capacity of " +
+                        std::to_string(capacity) +
+                        "; raise the limit of active voxels, or use a coarser grid");
+    };
+    check("dynamic", dynamic.voxelCount, dynamic.capacity);
+    check("static", still.staticVoxels, still.capacity);
+    if (found.unplacedFaces > 0) {
+        const std::uint32_t needed = still.faceCapacity + found.unplacedFaces;
+        // The static faces of one cube never change.
+        capacities[0] = std::max(capacities[0], hasCascades_ ? roomForMoves(needed) : needed);
     }
-    voxels_.resolve();
+    if (dynamic.faceCount > capacities[VCT_LIST_DYNAMIC])
+        capacities[VCT_LIST_DYNAMIC] = capacities[VCT_LIST_DYNAMIC + 1] = roomForObjects(dynamic.faceCount);
+    if (blocks.faceCount > capacities[VCT_BRICK_LEVEL]) {
+        const std::uint32_t ofStatic = blocks.staticFaces;
+        capacities[VCT_BRICK_LEVEL] = (hasCascades_ ? roomForMoves(ofStatic) : ofStatic) +
+                                      (hasDynamic_ ? roomForObjects(blocks.faceCount - ofStatic) : 0);
+    }
+    return capacities;
 }
 
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
-    FaceCapacities capacities = voxels_.capacities();
-    const shared::LevelCommands& dynamic = found.lists[found.dynamicList];
-    const shared::LevelCommands& still = found.lists[found.staticList];
-    bool grows = dynamic.faceCount > capacities[VCT_LIST_DYNAMIC];
-    if (hasCascades_) grows |= still.faceCount > capacities[VCT_LIST_STATIC];
-    const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
-    grows |= blocks.faceCount > capacities[VCT_BRICK_LEVEL];
-    if (grows) {
-        const auto reserve = [&](std::size_t list, std::uint32_t staticCount, std::uint32_t count) {
-            capacities[list] = std::max(capacities[list], staticCount + capacityFor(count));
-        };
-        for (const std::size_t pose : {0U, 1U}) {
-            if (hasDynamic_) reserve(VCT_LIST_DYNAMIC + pose, 0, dynamic.faceCount);
-            if (hasCascades_) reserve(VCT_LIST_STATIC + pose, 0, still.faceCount);
-        }
-        const std::uint32_t fixed = hasCascades_ ? 0 : blocks.staticFaces;
-        reserve(VCT_BRICK_LEVEL, fixed, blocks.faceCount - fixed);
-        voxels_.grow(capacities);
-        // All is voxelized again. With cascades, faces that were there keep their light.
-        if (hasCascades_)
-            cascades_.reset();
-        else
-            cachedFor_.reset();
-    }
-    const auto overflows = [](const shared::LevelCommands& list) { return list.voxelCount > list.capacity; };
-    if (overflows(dynamic) || (hasCascades_ && overflows(still))) {
-        const shared::LevelCommands& list = overflows(dynamic) ? dynamic : still;
-        throw Error((overflows(dynamic) ? "dynamic objects occupy " : "static objects occupy ") +
-                    std::to_string(list.voxelCount) + " voxels at " + std::to_string(voxels_.grid()) +
-                    "^3, but their list has a capacity of " + std::to_string(list.capacity) +
-                    "; raise the limit of active voxels, or use a coarser grid");
-    }
-    return grows;
+    const FaceCapacities capacities = capacitiesFor(found);
+    if (capacities == voxels_.capacities()) return false;
+    voxels_.grow(capacities);
+    // All is voxelized again. Faces that were there keep their light.
+    isIncomplete_ = true;
+    cachedFor_.reset();
+    return true;
 }
 
 VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const std::optional<SceneState> before = std::exchange(cachedFor_, {});
     const bool sameObjects = before && before->placements == inputs.now.placements;
     std::uint32_t moved = 0;
-    if (hasCascades_)
-        moved =
-            inputs.forceRebuild ? DirectionalVoxels::allCascades : movedCascades(cascades_, inputs.cascades);
-    bool isMoved = hasCascades_ && cascades_ != inputs.cascades;
-    cascades_ = inputs.cascades;
-    const bool voxelizes = moved != 0 || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
+    const bool isMoved = !(*cascades_ == inputs.cascades);
+    const bool changesStatic = isMoved || (hasCascades_ && (inputs.forceRebuild || isIncomplete_));
+    const bool voxelizes = changesStatic || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
     if (voxelizes)
         timer.time(Step::voxelize, [&] {
-            voxelize(inputs.scene, inputs.cascades, moved);
+            moved = revoxelize(inputs.scene, inputs.cascades, inputs.forceRebuild);
             // A picture of converged light waits for the GPU, so that its lists have room in it already.
-            if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands())) {
-                isMoved = hasCascades_;
-                moved = hasCascades_ ? DirectionalVoxels::allCascades : 0;
-                voxelize(inputs.scene, inputs.cascades, moved);
-                cascades_ = inputs.cascades;
-            }
+            if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands()))
+                moved |= revoxelize(inputs.scene, inputs.cascades, false);
             counts_.start(voxels_.index().commands());
         });
     if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))

@@ -1,5 +1,5 @@
 // Directional voxels and the irradiance of their faces, which pixels look up. Static geometry is voxelized
-// once, dynamic objects in each pose. When a cascade moves, the static geometry in it is voxelized again.
+// once, dynamic objects in each pose. When a cascade moves, the static geometry that it reaches is voxelized.
 // Light is injected into both when a light or a dynamic object changes.
 #pragma once
 
@@ -36,13 +36,18 @@ class DirectionalVolume final : public VoxelVolume {
     const Irradiance* irradiance() const { return light_ ? &*light_ : nullptr; }
 
   private:
-    void voxelizeStatic(const GpuScene& scene, const Cascades& cascades);
-    // Voxelizes the dynamic objects in a new pose, and the static geometry in the cascades of `moved`, a bit
-    // for each.
-    void voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved);
+    void voxelizeDynamic(const GpuScene& scene, const Cascades& cascades);
+    // Voxelizes the dynamic objects, and the static geometry of a region.
+    void voxelize(const GpuScene& scene, const DirectionalVoxelizer::Region& still);
+    // Removes what has moved and voxelizes it where it is now: dynamic objects, and the static geometry that
+    // cascades have reached since the last call, or all of it. Returns a bit for each cascade whose static
+    // geometry has changed.
+    std::uint32_t revoxelize(const GpuScene& scene, const Cascades& cascades, bool rebuilds);
+    // The capacities that the lists need; the present ones if all faces fit. Throws vct::Error if a list of
+    // voxels overflowed, because its capacity is fixed.
+    FaceCapacities capacitiesFor(const shared::CommandLists& found) const;
     // If faces did not fit into their lists, grows these, and returns true: what changes has to be voxelized
-    // again, in all cascades. Throws vct::Error if a list of voxels overflowed, because its capacity is
-    // fixed.
+    // again, in all cascades.
     bool growIfNeeded(const shared::CommandLists& found);
 
     gl::ShaderLibrary shaders_;
@@ -56,8 +61,9 @@ class DirectionalVolume final : public VoxelVolume {
     gl::AsyncRead counts_;  // list counts after the last voxelization of dynamic objects
     LightInjector injector_;
     std::optional<Irradiance> light_;   // created when an output needs it
-    std::optional<Cascades> cascades_;  // their places in the last voxelization, if it is valid
+    std::optional<Cascades> cascades_;  // their places in the last voxelization
     bool isPrepared_ = false;
+    bool isIncomplete_ = false;            // static faces did not fit into the lists before they grew
     bool allBounces_ = true;               // light_ has all bounces
     std::optional<SceneState> cachedFor_;  // the state that the voxels were made for, if they are valid
 };

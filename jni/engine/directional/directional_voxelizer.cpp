@@ -1,5 +1,8 @@
 #include "engine/directional/directional_voxelizer.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/programs.h"
 #include "gl/debug.h"
 #include "gl/render_pass.h"
@@ -25,14 +28,6 @@ gl::ProgramDescription listFacesProgram() {
     return {"directional/list_faces", {"directional/list_faces.comp"}, {}};
 }
 
-gl::ProgramDescription keepVoxelsProgram() {
-    return {"directional/keep_voxels", {"directional/keep_voxels.comp"}, {}};
-}
-
-gl::ProgramDescription keepSumsProgram(bool emission) {
-    return {"directional/keep_sums", {"directional/keep_sums.comp"}, emissionDefines(emission)};
-}
-
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission) {
     return voxelizing(
         "directional/accumulate",
@@ -54,47 +49,47 @@ void FaceProjection::use() const {
 }
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                                           int cascades, bool emission)
-    : markFaces_(shaders, scene, markFacesProgram),
+                                           bool emission)
+    : grid_(grid),
+      markFaces_(shaders, scene, markFacesProgram),
       accumulate_(shaders, scene, [=](unsigned features) { return accumulateProgram(features, emission); }),
       listFaces_(shaders, listFacesProgram()),
-      projection_(grid) {
-    if (cascades == 1) return;
-    keepVoxels_ = gl::Program(shaders, keepVoxelsProgram());
-    keepSums_ = gl::Program(shaders, keepSumsProgram(emission));
-}
+      projection_(grid) {}
 
 void DirectionalVoxelizer::drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs,
-                                            ScenePart part, const Cascades& cascades,
-                                            std::uint32_t moved) const {
+                                            ScenePart part, const Region& region) const {
+    const Cascades& cascades = region.cascades;
     for (int cascade = 0; cascade < cascades.count(); ++cascade) {
-        if ((moved >> cascade & 1U) == 0) continue;
-        if (cascades.count() > 1) programs.setUniform(VCT_UNIFORM_CASCADE, static_cast<GLuint>(cascade));
-        scene.drawForVoxels(programs, DrawRegion::cube(cascades.corner(cascade), cascades.side(cascade)),
-                            part);
+        if ((region.moved >> cascade & 1U) == 0) continue;
+        const glm::dvec3& corner = cascades.corner(cascade);
+        const double side = cascades.side(cascade);
+        Bounds drawn{corner, corner + side};
+        if (cascades.count() > 1) {
+            // After a move along one axis, what is new is a slab. After others it is not a box.
+            glm::ivec3 shift(grid_);
+            if (region.shifts != nullptr) shift = region.shifts->at(static_cast<std::size_t>(cascade));
+            for (int axis = 0; axis < 3; ++axis) {
+                if (glm::abs(shift)[axis] != glm::abs(shift.x) + glm::abs(shift.y) + glm::abs(shift.z))
+                    continue;
+                const double width = side / grid_ * std::min(std::abs(shift[axis]), grid_);
+                if (shift[axis] > 0) drawn.min[axis] = drawn.max[axis] - width;
+                if (shift[axis] < 0) drawn.max[axis] = drawn.min[axis] + width;
+            }
+            programs.setUniform(VCT_UNIFORM_CASCADE, static_cast<GLuint>(cascade));
+            programs.setUniform(VCT_UNIFORM_SHIFT, shared::packShift(shift));
+        }
+        scene.drawForVoxels(programs, DrawRegion::box(drawn), part);
     }
 }
 
-bool DirectionalVoxelizer::keeps(std::uint32_t list, const DirectionalVoxels& voxels, std::uint32_t moved) {
-    const std::uint32_t all = (1U << voxels.cascades()) - 1U;
-    return list >= VCT_LIST_STATIC && (moved & all) != all;
-}
-
 void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                                     const DirectionalVoxels& voxels, const Cascades& cascades,
-                                     std::uint32_t moved) const {
+                                     const DirectionalVoxels& voxels, const Region& region) const {
     const gl::DebugGroup group("list faces");
     projection_.use();
     voxels.bindForVoxelization();
     voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
-    if (keeps(list, voxels, moved)) {
-        keepVoxels_.use();
-        voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
-        gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
-        voxels.index().dispatchOverLevel(list ^ 1U);
-    }
     markFaces_.setUniform(VCT_UNIFORM_LIST, list);
-    drawIntoCascades(scene, markFaces_, part, cascades, moved);
+    drawIntoCascades(scene, markFaces_, part, region);
     // The next pass loads from the index image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
@@ -108,19 +103,12 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
 }
 
 void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                                      const DirectionalVoxels& voxels, const Cascades& cascades,
-                                      std::uint32_t moved) const {
+                                      const DirectionalVoxels& voxels, const Region& region) const {
     const gl::DebugGroup group("accumulate");
     projection_.use();
     voxels.bindForVoxelization();
-    if (keeps(list, voxels, moved)) {
-        keepSums_.use();
-        voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
-        gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
-        voxels.index().dispatchOverFaces(0);
-    }
     voxels.indexOf(list).bind(VCT_TEX_VOXELS);
-    drawIntoCascades(scene, accumulate_, part, cascades, moved);
+    drawIntoCascades(scene, accumulate_, part, region);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

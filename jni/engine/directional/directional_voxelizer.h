@@ -11,8 +11,6 @@ namespace vct {
 
 gl::ProgramDescription markFacesProgram(unsigned features);
 gl::ProgramDescription listFacesProgram();
-gl::ProgramDescription keepVoxelsProgram();
-gl::ProgramDescription keepSumsProgram(bool emission);
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
 // The viewport that the volume is projected to along an axis, four pixels per voxel. The framebuffer has no
@@ -33,29 +31,29 @@ class FaceProjection {
 
 class DirectionalVoxelizer {
   public:
-    DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, int cascades,
-                         bool emission);
+    DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, bool emission);
 
-    // Lists the faces that a part of the scene covers, in the static or the dynamic list. `moved`: a bit for
-    // each cascade that is voxelized. The others, in a list of static geometry, keep their faces of the last
-    // list.
+    // The part of the cascades that is voxelized.
+    struct Region {
+        const Cascades& cascades;
+        std::uint32_t moved = DirectionalVoxels::allCascades;  // a bit for each cascade that is voxelized
+        const CascadeShifts* shifts = nullptr;                 // null: all of these cascades
+    };
+    // Lists the faces that a part of the scene covers, in list 0, of static geometry, or the dynamic one.
     void listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list, const DirectionalVoxels& voxels,
-                   const Cascades& cascades, std::uint32_t moved = DirectionalVoxels::allCascades) const;
+                   const Region& region) const;
     // Adds that part to the sums of its faces. listFaces() has to come first.
     void accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                    const DirectionalVoxels& voxels, const Cascades& cascades,
-                    std::uint32_t moved = DirectionalVoxels::allCascades) const;
+                    const DirectionalVoxels& voxels, const Region& region) const;
 
   private:
-    // Draws that part once for each of these cascades.
+    // Draws that part once for each of the region's cascades.
     void drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs, ScenePart part,
-                          const Cascades& cascades, std::uint32_t moved) const;
-    // True if the static list takes over faces of cascades that have not moved.
-    static bool keeps(std::uint32_t list, const DirectionalVoxels& voxels, std::uint32_t moved);
+                          const Region& region) const;
 
+    int grid_;
     MaterialPrograms markFaces_, accumulate_;
     gl::Program listFaces_;
-    gl::Program keepVoxels_, keepSums_;  // only with cascades
     FaceProjection projection_;
 };
 

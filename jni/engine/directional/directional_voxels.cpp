@@ -33,6 +33,14 @@ gl::ProgramDescription markStaticProgram() {
     return {"directional/mark_static", {"directional/mark_static.comp"}, {}};
 }
 
+gl::ProgramDescription unlistStaticProgram(bool emission) {
+    return {"directional/unlist_static", {"directional/unlist_static.comp"}, emissionDefines(emission)};
+}
+
+gl::ProgramDescription scrollProgram(bool emission) {
+    return {"directional/scroll", {"directional/scroll.comp"}, emissionDefines(emission)};
+}
+
 namespace {
 
 // Sets of voxels in the texture of blocks, along x and along y (placeOfSet() in
@@ -62,6 +70,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
       blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, setsAcross * grid / VCT_BRICK_SIDE,
                                   setsAcross * grid / VCT_BRICK_SIDE,
                                   (dynamicObjects ? 2 : 1) * cascades * grid / VCT_BRICK_SIDE, 1)),
+      markStatic_(shaders, markStaticProgram()),
       fillBlocks_(shaders, fillBlocksProgram(emission)),
       resolve_(shaders, resolveProgram(emission)) {
     if (!dynamicObjects && cascades == 1) return;
@@ -69,8 +78,8 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
     clearBlocks_ = gl::Program(shaders, clearBlocksProgram());
     resetLists_ = gl::Program(shaders, resetListsProgram());
     if (cascades > 1) {
-        markStatic_ = gl::Program(shaders, markStaticProgram());
-        otherStaticIndex_ = gl::Texture::make3d("voxels", GL_R32UI, grid, grid, cascades * grid, 1);
+        unlistStatic_ = gl::Program(shaders, unlistStaticProgram(emission));
+        scroll_ = gl::Program(shaders, scrollProgram(emission));
     }
     for (int i = 0; dynamicObjects && i < 2; ++i)
         dynamicIndices_.push_back(
@@ -90,15 +99,12 @@ Resources DirectionalVoxels::resources() const {
     if (faceSums_.bytes() > 0) add(resources, faceSums_);
     for (const gl::Texture& texture : dynamicIndices_)
         add(resources, texture);
-    if (otherStaticIndex_) add(resources, *otherStaticIndex_);
     return resources;
 }
 
 const gl::Texture& DirectionalVoxels::indexOf(std::uint32_t list) const {
-    if (list == VCT_LIST_STATIC + 1) return *otherStaticIndex_;
-    if (list < VCT_LIST_DYNAMIC || list == VCT_LIST_STATIC || dynamicIndices_.empty())
-        return index_.texture();
-    return dynamicIndices_[list - VCT_LIST_DYNAMIC];
+    return list < VCT_LIST_DYNAMIC || dynamicIndices_.empty() ? index_.texture()
+                                                              : dynamicIndices_[list - VCT_LIST_DYNAMIC];
 }
 
 std::uint32_t DirectionalVoxels::firstFaceWord() const {
@@ -118,6 +124,9 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
         base.faceCapacity = capacities_[list];
         firstId += capacities_[list];
     }
+    // Two bits per static id.
+    commands.lists[0].firstMask = next + firstId;
+    next += 2 * ((capacities_[0] + 31) / 32);
     shared::LevelCommands& blocks = commands.lists[VCT_BRICK_LEVEL];
     blocks.firstFace = next + firstId;
     blocks.faceCapacity = capacities_[VCT_BRICK_LEVEL];
@@ -136,30 +145,29 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.clearTexture();
     for (const gl::Texture& texture : dynamicIndices_)
         gl::clearTexture3d(texture, cascades_ * grid());
-    if (otherStaticIndex_) gl::clearTexture3d(*otherStaticIndex_, cascades_ * grid());
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
     faceSums_ = {};
     capacities_ = capacities;
-    pose_ = staticPose_ = 0;
-    const std::size_t sums = std::size_t{idCapacity()} * sumWords();
-    const std::vector<std::uint32_t> zeros(std::max(words(), sums));
-    faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, words() * sizeof zeros[0],
-                           zeros.data(), GL_DYNAMIC_COPY);
-    faceSums_ = gl::Buffer("sums of voxel faces", GL_SHADER_STORAGE_BUFFER,
-                           std::max(sums, std::size_t{1}) * sizeof zeros[0], zeros.data(), GL_DYNAMIC_COPY);
+    pose_ = 0;
     shared::CommandLists commands = index_.initialCommands();
     placeLists(commands);
+    std::vector<std::uint32_t> data(words());
+    std::fill_n(data.begin() + commands.lists[0].firstFace, capacities[0], VCT_FREE_FACE);
+    const std::vector<std::uint32_t> sums(std::max(std::size_t{idCapacity()} * sumWords(), std::size_t{1}));
+    faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, data.size() * sizeof data[0],
+                           data.data(), GL_DYNAMIC_COPY);
+    faceSums_ = gl::Buffer("sums of voxel faces", GL_SHADER_STORAGE_BUFFER, sums.size() * sizeof sums[0],
+                           sums.data(), GL_DYNAMIC_COPY);
     index_.setCommands(commands);
 }
 
-void DirectionalVoxels::markStatic() {
-    shared::CommandLists commands = index_.readCommands();
-    for (shared::LevelCommands& list : commands.lists) {
-        list.staticVoxels = list.voxelCount;
-        list.staticFaces = list.faceCount;
-    }
-    index_.setCommands(commands);
+void DirectionalVoxels::markStatic() const {
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    bindLists();
+    markStatic_.use();
+    gl::DispatchCompute(1, 1, 1);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void DirectionalVoxels::grow(const FaceCapacities& capacities) {
@@ -178,7 +186,7 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     };
     copy(0, 0, firstFaceWord());
     for (const std::uint32_t list : baseLists) {
-        const bool isOlder = list >= VCT_LIST_DYNAMIC && list != staticList() && list != dynamicList();
+        const bool isOlder = list >= VCT_LIST_DYNAMIC && list != dynamicList();
         shared::LevelCommands& now = commands.lists[list];
         const shared::LevelCommands& was = old.lists[list];
         const std::uint32_t count = isOlder ? 0 : std::min(was.faceCount, was.faceCapacity);
@@ -190,13 +198,19 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         std::copy_n(sumsBefore.begin() + static_cast<std::ptrdiff_t>(std::size_t{was.firstId} * sumWords()),
                     std::size_t{count} * sumWords(),
                     sums.begin() + static_cast<std::ptrdiff_t>(std::size_t{now.firstId} * sumWords()));
-        if (list == 0) continue;  // its groups cover all lists of the base level, and its ids stay
         now.faceCount = count;
         now.staticFaces = std::min(now.staticFaces, count);
+        if (list == 0) continue;  // its ids stay
         // The index also marks faces that did not fit into the lists, and has their ids, so it is rebuilt.
         const auto first = after.begin() + static_cast<std::ptrdiff_t>(now.firstFace);
         if (now.faceCapacity > 0) writeIndex(list, now.firstId, {first, first + count});
     }
+    const std::uint32_t oldBits = (old.lists[0].faceCapacity + 31) / 32, bits = (capacities_[0] + 31) / 32;
+    for (const std::uint32_t i : {0U, 1U})
+        copy(old.lists[0].firstMask + i * oldBits, commands.lists[0].firstMask + i * bits, oldBits);
+    std::fill_n(after.begin() + commands.lists[0].firstFace + old.lists[0].faceCapacity,
+                capacities_[0] - old.lists[0].faceCapacity, VCT_FREE_FACE);
+    commands.unplacedFaces = 0;
     shared::LevelCommands& now = commands.lists[VCT_BRICK_LEVEL];
     now.faceCount = std::min(now.faceCount, old.lists[VCT_BRICK_LEVEL].faceCapacity);
     now.staticFaces = std::min(now.staticFaces, now.faceCount);
@@ -236,57 +250,65 @@ void DirectionalVoxels::writeIndex(std::uint32_t list, std::uint32_t firstId,
                       GL_UNSIGNED_INT, cells.data());
 }
 
-// `list`: the list of the last pose.
-void DirectionalVoxels::clearLast(std::uint32_t list) const {
-    gl::Uniform1ui(VCT_UNIFORM_LIST, list);
-    indexOf(list ^ 1U).bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
-    index_.dispatchOverFaces(0);
-}
-
-void DirectionalVoxels::begin(bool withStatic) {
-    const gl::DebugGroup group(withStatic ? "remove geometry" : "remove dynamic objects");
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    bindForVoxelization();
-    if (withStatic) {
-        markStatic_.use();
-        gl::Uniform1ui(VCT_UNIFORM_KEEPS, 0);
-        gl::DispatchCompute(1, 1, 1);
-        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    }
+// Removes what the last pose has listed, and resets the lists.
+void DirectionalVoxels::resetLists(bool withStatic) {
     clearDynamic_.use();
-    if (hasDynamicObjects()) clearLast(dynamicList());
-    if (withStatic) clearLast(staticList());
+    if (hasDynamicObjects()) {
+        indexOf(dynamicList() ^ 1U).bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+        index_.dispatchOverFaces(0);
+    }
     clearBlocks_.use();
     index_.dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     pose_ = 1 - pose_;
-    if (withStatic) staticPose_ = 1 - staticPose_;
     resetLists_.use();
-    gl::Uniform1ui(VCT_UNIFORM_LIST, withStatic ? staticList() : 0);
+    gl::Uniform1ui(VCT_UNIFORM_STATIC, withStatic ? 1 : 0);
     gl::DispatchCompute(1, 1, 1);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void DirectionalVoxels::endStatic() const {
-    bindLists();
-    markStatic_.use();
-    gl::Uniform1ui(VCT_UNIFORM_KEEPS, 1);
-    gl::DispatchCompute(1, 1, 1);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+void DirectionalVoxels::beginPose() {
+    const gl::DebugGroup group("remove dynamic objects");
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    bindForVoxelization();
+    resetLists(false);
+}
+
+void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t moved, bool rebuilds) {
+    const gl::DebugGroup group("move cascades");
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    bindForVoxelization();
+    unlistStatic_.use();
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+    staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    index_.dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    resetLists(true);
+    scroll_.use();
+    gl::Uniform1ui(VCT_UNIFORM_REBUILDS, rebuilds ? 1 : 0);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cascades_); ++i)
+        gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i), shared::packShift(shifts.at(i)));
+    staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    index_.dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    markStatic();
+    gl::MemoryBarrier(GL_COMMAND_BARRIER_BIT);
 }
 
 std::vector<DirectionalVoxels::BaseFace> DirectionalVoxels::readBaseFaces() const {
     const shared::CommandLists commands = index_.readCommands();
     std::vector<BaseFace> faces;
-    for (const std::uint32_t list : {staticList(), dynamicList()}) {
+    for (const std::uint32_t list : {0U, dynamicList()}) {
         const shared::LevelCommands& base = commands.lists[list];
         std::vector<std::uint32_t> entries(std::min(base.faceCount, base.faceCapacity));
         faceData_.read(entries.data(), entries.size() * sizeof entries[0],
                        base.firstFace * sizeof entries[0]);
         for (std::uint32_t i = 0; i < entries.size(); ++i)
-            if ((entries[i] & VCT_MERGED_FACE) == 0) faces.push_back({entries[i], base.firstId + i});
+            if ((entries[i] & VCT_MERGED_FACE) == 0)
+                faces.push_back({entries[i] & ~VCT_FIRST_FACE, base.firstId + i});
     }
     return faces;
 }

@@ -23,9 +23,13 @@ gl::ProgramDescription fillBlocksProgram(bool emission);
 gl::ProgramDescription resolveProgram(bool emission);
 gl::ProgramDescription resetListsProgram();
 gl::ProgramDescription markStaticProgram();
+gl::ProgramDescription unlistStaticProgram(bool emission);
+gl::ProgramDescription scrollProgram(bool emission);
 
 // Capacities of the face lists, by list (VCT_LISTS).
 using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
+// The moves of the cascades, in their voxels.
+using CascadeShifts = std::array<glm::ivec3, VCT_MAX_CASCADES>;
 
 class DirectionalVoxels {
   public:
@@ -64,39 +68,34 @@ class DirectionalVoxels {
     std::uint32_t sumWords() const { return emission_ ? VCT_EMISSIVE_FACE_SUM_WORDS : VCT_FACE_SUM_WORDS; }
     const FaceCapacities& capacities() const { return capacities_; }
     // The lists of the base level in the order of their ids.
-    static constexpr std::array<std::uint32_t, 5> baseLists{0, VCT_LIST_DYNAMIC, VCT_LIST_DYNAMIC + 1,
-                                                            VCT_LIST_STATIC, VCT_LIST_STATIC + 1};
-    // Number of face ids: one per static face, and one per dynamic face in each of two poses. With cascades,
-    // there are two per static face as well.
-    std::uint32_t idCapacity() const {
-        return capacities_[0] + 2 * (capacities_[VCT_LIST_DYNAMIC] + capacities_[VCT_LIST_STATIC]);
-    }
+    static constexpr std::array<std::uint32_t, 3> baseLists{0, VCT_LIST_DYNAMIC, VCT_LIST_DYNAMIC + 1};
+    // Number of face ids: one per static face, and one per dynamic face in each of two poses.
+    std::uint32_t idCapacity() const { return capacities_[0] + 2 * capacities_[VCT_LIST_DYNAMIC]; }
 
     bool hasDynamicObjects() const { return !dynamicIndices_.empty(); }
-    // The lists of the static geometry, and of the dynamic objects in the present pose.
-    std::uint32_t staticList() const { return cascades_ > 1 ? VCT_LIST_STATIC + staticPose_ : 0; }
+    // The list of the dynamic objects in the present pose. That of the static geometry is list 0.
     std::uint32_t dynamicList() const { return VCT_LIST_DYNAMIC + pose_; }
-    // The index of the occupied voxels of a list. The indices of a pair of lists alternate with them.
+    // The index of the occupied voxels of a list. The indices of the dynamic lists alternate with them.
     const gl::Texture& indexOf(std::uint32_t list) const;
-    const gl::Texture& staticIndex() const { return indexOf(staticList()); }
+    const gl::Texture& staticIndex() const { return indexOf(0); }
     const gl::Texture& dynamicIndex() const { return indexOf(dynamicList()); }
 
     // Clears everything, and allocates buffers for these capacities.
     void reset(const FaceCapacities& capacities);
-    // Marks the listed faces as static. The lists return to these counts for each pose. Waits for the GPU.
-    void markStatic();
+    // Marks the listed voxels and faces as static. The lists return to these counts for each pose.
+    void markStatic() const;
     // Frees the memory of the sums, if nothing will be voxelized until reset().
     void dropSums() { faceSums_ = {}; }
     // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
     // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
     void grow(const FaceCapacities& capacities);
     // Removes the dynamic objects of the last pose.
-    void beginPose() { begin(false); }
-    // With cascades: removes the static geometry as well.
-    void beginStatic() { begin(true); }
+    void beginPose();
+    // The same after cascades have moved: faces that a cascade has left are removed as well, and those that
+    // it has reached can be added. `moved`: a bit for each cascade with a shift other than 0. `rebuilds`: the
+    // sums of all faces begin at 0.
+    void beginMove(const CascadeShifts& shifts, std::uint32_t moved, bool rebuilds);
     static constexpr std::uint32_t allCascades = 0xFFFFFFFFU;
-    // Ends beginStatic(): what is listed now is static.
-    void endStatic() const;
     // Writes the occupied voxels of blocks, and the surface and the material of each face, after static
     // geometry and pose have been voxelized.
     void resolve() const;
@@ -118,8 +117,7 @@ class DirectionalVoxels {
     void bindForRays() const;
 
   private:
-    void begin(bool withStatic);
-    void clearLast(std::uint32_t list) const;
+    void resetLists(bool withStatic);
     void placeLists(shared::CommandLists& commands) const;
     void writeIndex(std::uint32_t list, std::uint32_t firstId,
                     const std::vector<std::uint32_t>& entries) const;
@@ -129,15 +127,14 @@ class DirectionalVoxels {
     int cascades_;
     bool emission_;
     VoxelPyramid index_;
-    std::vector<gl::Texture> dynamicIndices_;      // two, alternately of the present pose and the last one
-    std::optional<gl::Texture> otherStaticIndex_;  // with cascades; the first one is index_'s
+    std::vector<gl::Texture> dynamicIndices_;  // two, alternately of the present pose and the last one
     gl::Buffer faceData_, faceSums_;
     FaceCapacities capacities_{};
-    std::uint32_t pose_ = 0, staticPose_ = 0;
+    std::uint32_t pose_ = 0;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
-    gl::Program fillBlocks_, resolve_;
+    gl::Program markStatic_, fillBlocks_, resolve_;
     gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades
-    gl::Program markStatic_;                               // only with cascades
+    gl::Program unlistStatic_, scroll_;                    // only with cascades
 };
 
 }  // namespace vct

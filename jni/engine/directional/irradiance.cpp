@@ -132,10 +132,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
     if (std::exchange(placesBricks_, false)) {
-        std::vector<std::uint32_t> rebuilt;
-        if (change.voxelized != 0) rebuilt.push_back(voxels.staticList());
-        if (carryOver_ && voxels.hasDynamicObjects()) rebuilt.push_back(voxels.dynamicList());
-        if (!isFirst) carryOver(voxels, rebuilt);
+        if (carryOver_ && !isFirst) carryOver(voxels, change.voxelized);
         placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
         marksAllWalls_ = false;
     }
@@ -150,14 +147,17 @@ void Irradiance::run(const gl::Program& program, const DirectionalVoxels& voxels
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void Irradiance::carryOver(const DirectionalVoxels& voxels, const std::vector<std::uint32_t>& lists) const {
+void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const {
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     // The new ids of all faces are known before any hit is copied.
     for (const gl::Program* program : {&*carryOver_, &*carryHits_}) {
         program->use();
-        for (const std::uint32_t list : lists) {
+        if (program == &*carryHits_) gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+        for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
+            if (list == 0 ? moved == 0 : !voxels.hasDynamicObjects()) continue;
             gl::Uniform1ui(VCT_UNIFORM_LIST, list);
-            if (program == &*carryOver_) voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
+            const gl::Texture& last = list == 0 ? voxels.staticIndex() : voxels.indexOf(list ^ 1U);
+            if (program == &*carryOver_) last.bind(VCT_TEX_PREVIOUS_VOXELS);
             voxels.index().dispatchOverFaces(0);
             gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         }
@@ -205,21 +205,22 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
     const std::uint32_t blockedBefore = blockedCapacity_;
     if (hasObjects_) {
         // All rays of a small scene, an eighth of those of a large one, or as many as there were.
-        const std::uint32_t faces = capacities_[voxels.staticList()];
+        const std::uint32_t faces = capacities_[0];
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
         blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 8, std::min(all, 1U << 18U)});
     }
     if (oldIds != 0 && before == capacities_ && blockedBefore == blockedCapacity_) return;
-    // The buffer begins with the faces' words. A word per face for its next id follows, then the hits, and
-    // the rays that moving objects block.
-    const std::size_t perFace = irradianceWords();
-    std::vector<std::uint32_t> words((perFace + 1) * idCapacity_ + hitWords(idCapacity_) + blockedCapacity_);
+    // The buffer begins with the faces' words. A word per dynamic face for its next id follows, then the
+    // hits, and the rays that moving objects block.
+    const std::size_t perFace = irradianceWords(), firstHit = firstHitWord(capacities_, idCapacity_);
+    std::vector<std::uint32_t> words(firstHit + hitWords(idCapacity_) + blockedCapacity_);
     if (oldIds != 0) {
         // Faces keep their light and their hits, with other ids. This is rare enough to wait for the GPU.
         // With cascades, rays may have missed static faces that did not fit into the lists, so all are traced
         // again.
         const bool keepsHits = voxels.cascades() == 1;
-        std::vector<std::uint32_t> old((perFace + 1) * oldIds + hitWords(oldIds));
+        const std::size_t firstOldHit = firstHitWord(before, oldIds);
+        std::vector<std::uint32_t> old(firstOldHit + hitWords(oldIds));
         faceIrradiance_.read(old.data(), old.size() * sizeof old[0]);
         std::vector<std::uint32_t> newId(oldIds);
         std::size_t from = 0, to = 0;
@@ -229,8 +230,8 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
             from += before[list];
             to += capacities_[list];
         }
-        std::uint32_t* const hits = &words[(perFace + 1) * idCapacity_];
-        const std::uint32_t* const oldHits = &old[(perFace + 1) * oldIds];
+        std::uint32_t* const hits = &words[firstHit];
+        const std::uint32_t* const oldHits = &old[firstOldHit];
         const auto directions = static_cast<std::uint32_t>(settings_.directions);
         for (std::uint32_t id = 0; id < oldIds; ++id) {
             std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(perFace * id), perFace,
@@ -333,8 +334,8 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.updatesDirect = plan_.updatesDirect ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
     values.bricksAlong = bricksAlong_;
-    values.firstForward = irradianceWords() * idCapacity_;
-    values.firstHit = values.firstForward + idCapacity_;
+    values.firstForward = irradianceWords() * idCapacity_ - capacities_[0];
+    values.firstHit = static_cast<std::uint32_t>(firstHitWord(capacities_, idCapacity_));
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
     values.blockedCapacity = blockedCapacity_;
     values.objectCount = static_cast<std::uint32_t>(objects.size());
@@ -361,7 +362,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t move
     const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels)) + 7) / 8;
     gl::DispatchCompute(groups.x, groups.y, 1);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-    if (moved != 0) markWalls(voxels, voxels.staticList(), *staticWalls_, moved);
+    if (moved != 0) markWalls(voxels, 0, *staticWalls_, moved);
     placeBricks_.use();
     staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);

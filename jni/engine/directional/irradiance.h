@@ -95,14 +95,19 @@ class Irradiance {
     void reserveFaces(const DirectionalVoxels& voxels);
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
+    // The position of the hits: words of all faces come first, and the next ids of dynamic ones.
+    std::size_t firstHitWord(const FaceCapacities& capacities, std::uint32_t ids) const {
+        return std::size_t{irradianceWords()} * ids + ids - capacities[0];
+    }
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
     bool takeBaked(const BakedLight& light, const DirectionalVoxels& voxels,
                    std::vector<std::uint32_t>& words) const;
     void uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const;
     // Dispatches a program over all faces; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
-    // Gives the faces of lists that were rebuilt the light and the hits of those before.
-    void carryOver(const DirectionalVoxels& voxels, const std::vector<std::uint32_t>& lists) const;
+    // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
+    // static geometry has changed, a bit for each. Its new faces get light as well.
+    void carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const;
     // `moved`: the cascades whose static walls have changed, a bit for each.
     void placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const;
     // Marks the walls of a list's faces in a texture of their words.
