@@ -29,17 +29,17 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
     commands.dynamicList = VCT_LIST_DYNAMIC;
     std::uint32_t firstEntry = 0;
     for (int list = 0; list < VCT_LISTS; ++list) {
-        const bool isDynamic = list >= VCT_LIST_DYNAMIC;
-        // Directional voxels have a list of voxels at the base level only, and a list of the faces of blocks.
+        const bool isDynamic = (list & ~1) == VCT_LIST_DYNAMIC;
+        // Directional voxels have lists of voxels at the base level only, and two further lists of faces.
         const bool isPacked = kind == VoxelPyramid::Kind::packed,
-                   isOfBlocks = !isPacked && list == VCT_BRICK_LEVEL;
+                   hasFacesOnly = !isPacked && (list == VCT_BRICK_LEVEL || list == VCT_LIST_VISITED);
         const bool exists = isDynamic ? kind == VoxelPyramid::Kind::staticAndDynamicFaces
-                                      : isOfBlocks || list < levelsOf(grid, kind);
+                                      : hasFacesOnly || list < levelsOf(grid, kind);
         if (!exists) continue;
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
-        if (isOfBlocks) continue;
+        if (hasFacesOnly) continue;
         c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(list < VCT_LIST_DYNAMIC ? list : 0)));
         firstEntry += c.capacity;
     }
@@ -126,6 +126,16 @@ void VoxelPyramid::bindLevel(int unit, int level, GLenum access) const {
 void VoxelPyramid::bindLists() const {
     commands_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COMMANDS);
     activeVoxels_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_ACTIVE_VOXELS);
+}
+
+void VoxelPyramid::emptyFaceList(std::uint32_t list) const {
+    shared::LevelCommands commands = initialCommands_.lists[list];
+    const std::size_t first = offsetof(shared::LevelCommands, faceGroupsX),
+                      end = offsetof(shared::LevelCommands, firstFace);
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(list * sizeof commands + first),
+                      static_cast<GLsizeiptr>(end - first),
+                      reinterpret_cast<const std::byte*>(&commands) + first);
 }
 
 void VoxelPyramid::dispatchOverLevel(std::uint32_t list) const {

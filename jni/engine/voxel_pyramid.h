@@ -52,6 +52,7 @@ class VoxelPyramid {
     const shared::CommandLists& initialCommands() const { return initialCommands_; }
     // Replaces the commands of all lists.
     void setCommands(const shared::CommandLists& commands) const;
+    void emptyFaceList(std::uint32_t list) const;
 
     // Binds one level for image access, and the lists and their commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;
@@ -59,7 +60,8 @@ class VoxelPyramid {
 
     // Dispatches the current compute program over the active voxels of a list.
     void dispatchOverLevel(std::uint32_t list) const;
-    // Dispatches it over the face lists of the base level (0), or of the blocks (VCT_BRICK_LEVEL).
+    // Dispatches it over the face lists of the base level (0), or of one of VCT_BRICK_LEVEL and
+    // VCT_LIST_VISITED.
     void dispatchOverFaces(int level) const;
 
     // Read the commands, and a level's list of active voxels. Wait for the GPU.

@@ -22,8 +22,8 @@ namespace vct {
 namespace {
 
 constexpr std::array lightPrograms{"clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
-constexpr std::array rayPrograms{"carry_over", "carry_hits", "sky",         "trace", "block",
-                                 "gather",     "refine",     "smooth_rows", "smooth"};
+constexpr std::array rayPrograms{"carry_over", "carry_hits", "list_visited", "sky",         "trace",
+                                 "block",      "gather",     "refine",       "smooth_rows", "smooth"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
@@ -167,6 +167,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
             };
             for (const char* name : {"carry_hits", "trace", "gather", "smooth_rows", "smooth"})
                 addRays(name, true);
+            if (settings.cascades > 1) addRays("list_visited", false);
             addRays("sky", false);
             addRays("refine", false);
             if (features.movingObjects) addRays("block", false);

@@ -58,6 +58,8 @@ void main() {
         }
         // The means over the rays that are known, of those that hit the sky.
         FaceSight sight = faceSight(id);
+        if (list == 0u && known + backs < sight.rays + sight.backs)
+            faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * (float(sight.rays) / max(float(known), 1.0));
         storeFaceMean(id, VCT_MEAN_SKY, sky);
         storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);

@@ -62,7 +62,10 @@ void main() {
         uint to = irradianceAt(id);
         for (uint word = 0u; word < VCT_IRRADIANCE_WORDS; ++word)
             faceIrradianceData[to + word] = 0u;
-        if (list != 0u) faceIrradianceData[forwardAt(id)] = 0u;
+        if (list == 0u)
+            faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
+        else
+            faceIrradianceData[forwardAt(id)] = 0u;
         if (isSame) {
             uint old = irradianceAt(from - 1u);
             // Direct light and the light of emitters of a moving object change.

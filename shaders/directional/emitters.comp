@@ -1,7 +1,7 @@
 // Irradiance of the base level's faces by the compact emitters: a closed form for each part, times the share
 // of the part that the face sees. Static faces keep what they see of static parts through static geometry, so
 // that neither an emitter that fades nor a moving object far away costs a ray.
-#include "directional/face_lists.glsl"
+#include "directional/visited.glsl"
 #define VCT_RAY_COUNTER VCT_COUNTER_EMITTERS_WALK
 #define VCT_EMITTER_RAY VCT_COUNTER_EMITTERS_RAY
 #include "directional/emitter_light.glsl"
@@ -32,11 +32,11 @@ bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
 
 void main() {
     COUNT(VCT_COUNTER_EMITTERS);
-    uint count = baseFaceCount(), firstDynamic = commands[dynamicList].firstId;
+    uint count = visitedFaceCount(), firstDynamic = commands[dynamicList].firstId;
     uint dynamicCount = faceCount(dynamicList);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         COUNT(VCT_COUNTER_EMITTERS_FACE);

@@ -1,6 +1,6 @@
 // The irradiance of each base-level face, by the face's id, relative to E, the irradiance of a surface that
 // faces the sun, and the faces that its rays hit. The buffer has, in this order: the words of the faces, a
-// word per id of dynamic faces with the id in the next pose (directional/carry_over.comp), and the hits.
+// word per id (forwardAt(), changedAt()), and the hits.
 //
 // A face keeps what its VCT_DIRECTIONS cached rays have hit. In each step the mean of the hits' radiance is
 // its irradiance `now`. A few rays are noisy from face to face, but the noise does not change as long as the
@@ -124,8 +124,13 @@ void storeCachedHit(uint id, uint direction, uint hit) {
     faceIrradianceData[at] = faceIrradianceData[at] & 0xFF000000u | hit;
 }
 #endif
-// The position of the next id of a dynamic face.
+// The position of the id, counted from 1, that a dynamic face has in the next pose.
 uint forwardAt(uint id) {
+    return lightStep.firstForward + id;
+}
+// The position of the step, counted from 1, in which a static face was new or lost hits; 0 if its mean has
+// been refined since.
+uint changedAt(uint id) {
     return lightStep.firstForward + id;
 }
 

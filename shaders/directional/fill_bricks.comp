@@ -1,5 +1,5 @@
 // Writes the irradiance of the faces, or their ambient visibility, into the bricks, where pixels look it up.
-#include "directional/face_lists.glsl"
+#include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"
 #include "directional/irradiance.glsl"
 
@@ -30,11 +30,11 @@ void storeInBricks(ListedFace listed, vec4 texel) {
 
 void main() {
     COUNT(VCT_COUNTER_FILL_BRICKS);
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         vec4 shown = faceMean(id, VCT_MEAN_SHOWN);

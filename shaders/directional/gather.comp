@@ -1,6 +1,6 @@
 // The irradiance of each face now: the mean over the radiance of what its cached rays hit, and of the moving
 // objects that block some of them.
-#include "directional/face_lists.glsl"
+#include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -15,11 +15,11 @@ vec3 radianceOf(uint hit) {
 
 void main() {
     COUNT(VCT_COUNTER_GATHER);
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_GATHER_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         vec3 light = vec3(0.0);
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
             COUNT(VCT_COUNTER_GATHER_HITS);

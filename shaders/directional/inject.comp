@@ -4,7 +4,7 @@
 //
 // It runs when a light or an object has changed. Between such changes, smooth.comp adds the bounces to what
 // the face emits and reflects of direct light.
-#include "directional/face_lists.glsl"
+#include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
@@ -64,11 +64,11 @@ vec3 ownRadiance(ListedFace listed, uint id, vec3 albedo) {
 
 void main() {
     COUNT(VCT_COUNTER_INJECT);
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_INJECT_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         // The sums of a merged dynamic face are added to a static face, which is injected with both.
         if (listed.isMerged) continue;

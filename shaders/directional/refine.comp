@@ -1,16 +1,17 @@
 // At rest, traces rays that refine the mean of each face. Their hits are not kept.
 #define VCT_RAY_COUNTER VCT_COUNTER_REFINE_WALK
 #include "directional/face_rays.glsl"
+#include "directional/visited.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
 void main() {
     COUNT(VCT_COUNTER_REFINE);
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_REFINE_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceRays rays = raysOf(listed, id);

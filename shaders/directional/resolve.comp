@@ -49,7 +49,10 @@ void main() {
         COUNT(VCT_COUNTER_RESOLVE_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
-        if (listed.isMerged && id < commands[0].faceCapacity) continue;  // no face has the id
+        bool isStatic = id < commands[0].faceCapacity;
+        if (listed.isMerged && isStatic) continue;  // no face has the id
+        // As long as no object touches it, a static face stays as it is.
+        if (VCT_CASCADES > 1 && isStatic && frame.hasDynamicObjects == 0 && !isFresh(id)) continue;
         int axis = listed.face >> 1;
         uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;

@@ -11,6 +11,7 @@
 // The refined mean of a face is neither noisy nor blurred, but it is of an earlier light. What is shown is
 // the smooth mean, and the difference between the two as it was, in proportion if the light has become less.
 #include "directional/beside_faces.glsl"
+#include "directional/visited.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
@@ -36,11 +37,11 @@ vec4 corrected(vec4 smoothNow, vec4 known, vec4 refined) {
 void main() {
     COUNT(VCT_COUNTER_SMOOTH);
     if (gl_GlobalInvocationID.x == 0u) blockedRays = 0u;  // for the next step
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_SMOOTH_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         vec4 now = faceMean(id, VCT_MEAN_NOW), smoothNow = windowMean(listed, id, now);
@@ -61,6 +62,7 @@ void main() {
         if (before.rgb != vec3(0.0))
             shown = mix(before, shown, min(float(sight.rays + sight.backs) / float(VCT_DIRECTIONS), 1.0));
         if (lightStep.endsRefinement != 0u) {
+            if (id < commands[0].faceCapacity) faceIrradianceData[changedAt(id)] = 0u;
             storeFaceMean(id, VCT_MEAN_REFINED, shown);
             storeFaceMean(id, VCT_MEAN_KNOWN, smoothNow);
         }

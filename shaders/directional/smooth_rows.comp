@@ -1,6 +1,7 @@
 // The mean of each face's irradiance and that of its neighbours along the first axis across the face, for
 // directional/smooth.comp.
 #include "directional/beside_faces.glsl"
+#include "directional/visited.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
@@ -11,11 +12,11 @@ WeightedMean besideMean(uint id) {
 
 void main() {
     COUNT(VCT_COUNTER_SMOOTH_ROWS);
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_SMOOTH_ROWS_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         WeightedMean row = meanAlong(listed, id, vec2(1.0, 0.0));

@@ -3,6 +3,7 @@
 // (directional/block.comp finds the moving objects before them).
 #define VCT_RAY_COUNTER VCT_COUNTER_TRACE_WALK
 #include "directional/face_rays.glsl"
+#include "directional/visited.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
@@ -48,17 +49,15 @@ bool isMergedNow(ListedFace listed) {
 
 void main() {
     COUNT(VCT_COUNTER_TRACE);
-    uint count = baseFaceCount(), firstDynamic = commands[dynamicList].firstId;
+    uint count = visitedFaceCount(), firstDynamic = commands[dynamicList].firstId;
     uint dynamicCount = faceCount(dynamicList);
     uint again =
         clamp(lightStep.movingRays / max(dynamicCount, 1u), lightStep.minMovingRays, uint(VCT_DIRECTIONS));
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_TRACE_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
-        // All faces have light now. (The first of the ids that share a word clears it.)
-        if (VCT_CASCADES > 1 && id < commands[0].faceCapacity && (id & 31u) == 0u) faceData[freshAt(id)] = 0u;
         if (listed.isMerged) continue;
         bool isDynamic = id - firstDynamic < dynamicCount;
         uint blocked = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;

@@ -178,7 +178,9 @@ using glm::vec4;
 #define VCT_COUNTER_SKY_HIT 123
 #define VCT_COUNTER_SMOOTH_ROWS_FACE 124
 #define VCT_COUNTER_SCROLL_OF_VOXEL 125
-#define VCT_COUNTER_COUNT 126
+#define VCT_COUNTER_LIST_VISITED 126
+#define VCT_COUNTER_LIST_VISITED_FACE 127
+#define VCT_COUNTER_COUNT 128
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -232,6 +234,7 @@ using glm::vec4;
 #define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
 #define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
+#define VCT_UNIFORM_VISITS_ALL 9        // 1: the pass visits all faces; 0: those of VCT_LIST_VISITED
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
 #define VCT_UNIFORM_AXIS 0              // axis along which the triangles of a draw call are voxelized
@@ -268,10 +271,12 @@ using glm::vec4;
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
-// Lists of voxels and faces (directional/face_lists.glsl): one per level, and two for the dynamic objects,
-// which alternate from pose to pose. `list ^ 1` is the other one of the pair.
+// Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which
+// alternate from pose to pose, so that `list ^ 1` is the other one; and the static faces that a light step
+// visits after cascades have moved (directional/visited.glsl).
 #define VCT_LIST_DYNAMIC 10
-#define VCT_LISTS 12
+#define VCT_LIST_VISITED 12
+#define VCT_LISTS 13
 // Words per base-level face besides its radiance (directional/face_data.glsl), and of its sums
 // (directional/face_sums.glsl), without and with emission.
 #define VCT_FACE_WORDS 3u
@@ -392,12 +397,13 @@ struct LightStep {
     uint updatesDirect;    // 1: direct light has changed
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
     uint bricksAlong;      // bricks along x and y of their texture
-    uint firstForward;     // words of the buffer where the next ids of all faces would begin,
+    uint firstForward;     // words of the buffer where the faces' next ids or last changes begin,
     uint firstHit;         // the hits,
     uint firstBlocked;     // and the blocked rays
     uint blockedCapacity;  // room for so many
     uint objectCount;      // moving objects
-    uint unusedStep0, unusedStep1;
+    uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
+    uint unusedStep;
     vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
 };
 

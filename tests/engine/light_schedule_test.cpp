@@ -6,7 +6,8 @@
 namespace vct::test {
 namespace {
 
-constexpr LightSchedule::Change noChange, otherLight{.light = true}, otherPose{.lists = true, .light = true};
+constexpr LightSchedule::Change noChange, otherLight{.light = true}, otherPose{.lists = true, .light = true},
+    otherPlace{.lists = true, .voxelized = 1, .cascades = true};
 
 GatherSettings settingsWith(int directions, int refined, int rays) {
     GatherSettings settings;
@@ -67,6 +68,39 @@ TEST(LightSchedule, OtherPosesTraceWithinABudgetAndThenTheRest) {
     for (LightPlan plan = schedule.advance(noChange); plan.traces; plan = schedule.advance(noChange))
         rays += static_cast<int>(plan.minMovingRays);
     EXPECT_GE(rays + 8, 64);
+}
+
+TEST(LightSchedule, AMoveOfCascadesVisitsWhatItHasChanged) {
+    LightSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        EXPECT_TRUE(schedule.advance(noChange).visitsAll);
+    for (int i = 0; i < 48; ++i) {
+        const LightPlan plan = schedule.advance(i == 0 ? otherPlace : noChange);
+        EXPECT_FALSE(plan.visitsAll) << i;
+        // The refinement visits all that no refinement has visited.
+        EXPECT_EQ(plan.listsVisited, i == 0 || i == 16) << i;
+        if (plan.listsVisited) {
+            EXPECT_EQ(plan.visitsSince, i == 0 ? 34U : 1U);
+        }
+    }
+    EXPECT_TRUE(schedule.isConverged());
+}
+
+TEST(LightSchedule, AMoveAfterOtherLightVisitsAllUntilTheBouncesHaveSettled) {
+    LightSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        schedule.advance(noChange);
+    EXPECT_TRUE(schedule.advance(otherLight).visitsAll);
+    for (int i = 1; i < 16; ++i)
+        EXPECT_TRUE(schedule.advance(i == 5 ? otherPlace : noChange).visitsAll) << i;
+    const LightPlan settled = schedule.advance(noChange);
+    EXPECT_FALSE(settled.visitsAll);
+    EXPECT_TRUE(settled.listsVisited);
+    // No refinement has visited the other faces since their light changed.
+    LightPlan plan = settled;
+    while (plan.refiningStep < 0)
+        plan = schedule.advance(noChange);
+    EXPECT_TRUE(plan.visitsAll);
 }
 
 }  // namespace

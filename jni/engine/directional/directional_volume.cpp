@@ -173,7 +173,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))
         light_->onVoxelsChanged({voxelizes, moved, before != inputs.now,
                                  !sameObjects || before->lightChanges != inputs.now.lightChanges,
-                                 before && before->skyChanges != inputs.now.skyChanges, isMoved});
+                                 before && before->skyChanges != inputs.now.skyChanges,
+                                 voxelizes && hasDynamic_, isMoved});
     cachedFor_ = inputs.now;
 
     VoxelLight light;
@@ -184,7 +185,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         // Hits are kept for a few frames only, if all surfaces are rebuilt in each.
         if (voxelizesAll_) gather.directions = std::min(gather.directions, 16);
         light_.emplace(shaders_, Irradiance::fitting(gather, voxels_.idCapacity()), settings_.lightFrames,
-                       inputs.scene.moves() && !voxelizesAll_, hasDynamic_ || hasCascades_, sources_);
+                       inputs.scene.moves() && !voxelizesAll_, hasDynamic_ || hasCascades_, hasCascades_,
+                       sources_);
         if (inputs.baked && inputs.allBounces) light_->useBaked(inputs.baked, inputs.isBakedCurrent);
     }
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();

@@ -127,6 +127,10 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     // Two bits per static id.
     commands.lists[0].firstMask = next + firstId;
     next += 2 * ((capacities_[0] + 31) / 32);
+    shared::LevelCommands& visited = commands.lists[VCT_LIST_VISITED];
+    visited.firstFace = next + firstId;
+    visited.faceCapacity = cascades_ > 1 ? capacities_[0] : 0;
+    next += visited.faceCapacity;
     shared::LevelCommands& blocks = commands.lists[VCT_BRICK_LEVEL];
     blocks.firstFace = next + firstId;
     blocks.faceCapacity = capacities_[VCT_BRICK_LEVEL];
@@ -211,6 +215,7 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     std::fill_n(after.begin() + commands.lists[0].firstFace + old.lists[0].faceCapacity,
                 capacities_[0] - old.lists[0].faceCapacity, VCT_FREE_FACE);
     commands.unplacedFaces = 0;
+    commands.lists[VCT_LIST_VISITED].faceCount = 0;
     shared::LevelCommands& now = commands.lists[VCT_BRICK_LEVEL];
     now.faceCount = std::min(now.faceCount, old.lists[VCT_BRICK_LEVEL].faceCapacity);
     now.staticFaces = std::min(now.staticFaces, now.faceCount);

@@ -60,7 +60,7 @@ gl::ProgramDescription raysProgram(const std::string& name, const GatherSettings
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
-                       bool hasObjects, bool listsChange, const LightFeatures& sources)
+                       bool hasObjects, bool listsChange, bool hasCascades, const LightFeatures& sources)
     : settings_(settings),
       lightFrames_(lightFrames),
       hasObjects_(hasObjects),
@@ -81,6 +81,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
         carryOver_.emplace(shaders, raysProgram("carry_over", settings, sources));
         carryHits_.emplace(shaders, raysProgram("carry_hits", settings, sources));
     }
+    if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block", settings, sources));
     if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
@@ -104,6 +105,7 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change) {
     pending_.light |= change.light;
     pending_.emitters |= change.emitters;
     pending_.sky |= change.sky;
+    pending_.objects |= change.objects;
     pending_.cascades |= change.cascades;
     placesBricks_ |= change.lists;
 }
@@ -135,7 +137,10 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         if (carryOver_ && !isFirst) carryOver(voxels, change.voxelized);
         placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
         marksAllWalls_ = false;
+        fillsAll_ = true;
     }
+    if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels);
+    fillsAll_ |= plan_.visitsAll;
     if (!findEmitters_ || !plan_.updatesEmitters) return;
     voxels.bindForRays();
     run(*findEmitters_, voxels);
@@ -143,8 +148,20 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
 
 void Irradiance::run(const gl::Program& program, const DirectionalVoxels& voxels) const {
     program.use();
-    voxels.index().dispatchOverFaces(0);
+    dispatchOverVisited(voxels);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Irradiance::dispatchOverVisited(const DirectionalVoxels& voxels) const {
+    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, plan_.visitsAll ? 1 : 0);
+    voxels.index().dispatchOverFaces(plan_.visitsAll ? 0 : VCT_LIST_VISITED);
+}
+
+void Irradiance::listVisited(const DirectionalVoxels& voxels) const {
+    voxels.index().emptyFaceList(VCT_LIST_VISITED);
+    listVisited_->use();
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const {
@@ -178,14 +195,16 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
 }
 
 void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {
+    const bool fillsAll = std::exchange(fillsAll_, false) || showsVisibility_ != visibility;
     showsVisibility_ = visibility;
     isOutdated_ = false;
     const gl::DebugGroup group("fill bricks");
     bind(voxels);
     fillBricks_.use();
+    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, fillsAll ? 1 : 0);
     gl::Uniform1ui(VCT_UNIFORM_SHOWS_VISIBILITY, visibility ? 1 : 0);
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    voxels.index().dispatchOverFaces(0);
+    voxels.index().dispatchOverFaces(fillsAll ? 0 : VCT_LIST_VISITED);
     // The last pass of the frame fetches the bricks.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -210,17 +229,16 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
         blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 8, std::min(all, 1U << 18U)});
     }
     if (oldIds != 0 && before == capacities_ && blockedBefore == blockedCapacity_) return;
-    // The buffer begins with the faces' words. A word per dynamic face for its next id follows, then the
-    // hits, and the rays that moving objects block.
-    const std::size_t perFace = irradianceWords(), firstHit = firstHitWord(capacities_, idCapacity_);
-    std::vector<std::uint32_t> words(firstHit + hitWords(idCapacity_) + blockedCapacity_);
+    // The buffer begins with the faces' words. A word per face for its next id or its last change follows,
+    // then the hits, and the rays that moving objects block.
+    const std::size_t perFace = irradianceWords();
+    std::vector<std::uint32_t> words((perFace + 1) * idCapacity_ + hitWords(idCapacity_) + blockedCapacity_);
     if (oldIds != 0) {
         // Faces keep their light and their hits, with other ids. This is rare enough to wait for the GPU.
         // With cascades, rays may have missed static faces that did not fit into the lists, so all are traced
         // again.
         const bool keepsHits = voxels.cascades() == 1;
-        const std::size_t firstOldHit = firstHitWord(before, oldIds);
-        std::vector<std::uint32_t> old(firstOldHit + hitWords(oldIds));
+        std::vector<std::uint32_t> old((perFace + 1) * oldIds + hitWords(oldIds));
         faceIrradiance_.read(old.data(), old.size() * sizeof old[0]);
         std::vector<std::uint32_t> newId(oldIds);
         std::size_t from = 0, to = 0;
@@ -230,8 +248,8 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
             from += before[list];
             to += capacities_[list];
         }
-        std::uint32_t* const hits = &words[firstHit];
-        const std::uint32_t* const oldHits = &old[firstOldHit];
+        std::uint32_t* const hits = &words[(perFace + 1) * idCapacity_];
+        const std::uint32_t* const oldHits = &old[(perFace + 1) * oldIds];
         const auto directions = static_cast<std::uint32_t>(settings_.directions);
         for (std::uint32_t id = 0; id < oldIds; ++id) {
             std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(perFace * id), perFace,
@@ -334,10 +352,11 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.updatesDirect = plan_.updatesDirect ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
     values.bricksAlong = bricksAlong_;
-    values.firstForward = irradianceWords() * idCapacity_ - capacities_[0];
-    values.firstHit = static_cast<std::uint32_t>(firstHitWord(capacities_, idCapacity_));
+    values.firstForward = irradianceWords() * idCapacity_;
+    values.firstHit = values.firstForward + idCapacity_;
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
     values.blockedCapacity = blockedCapacity_;
+    values.visitsSince = plan_.visitsSince;
     values.objectCount = static_cast<std::uint32_t>(objects.size());
     std::copy(objects.begin(), objects.end(), values.object);
     uniforms_.bind(GL_UNIFORM_BUFFER);

@@ -29,7 +29,7 @@ class Irradiance {
     // `lightFrames`: as in LightSchedule. `hasObjects`: there are moving objects before static faces.
     // `listsChange`: faces get other ids, because there are dynamic objects or cascades.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
-               bool hasObjects, bool listsChange, const LightFeatures& sources);
+               bool hasObjects, bool listsChange, bool hasCascades, const LightFeatures& sources);
 
     // The settings with as many cached rays per face as fit into a storage block of the driver.
     static GatherSettings fitting(GatherSettings settings, std::uint32_t ids);
@@ -66,6 +66,8 @@ class Irradiance {
     void beginStep(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects, bool allBounces);
     bool isDirectOutdated() const { return plan_.updatesDirect || plan_.updatesEmitters; }
     bool isGatherNeeded() const { return !isBakedStep_; }
+    // Dispatches the current program, of directional/visited.glsl, over the faces that the step visits.
+    void dispatchOverVisited(const DirectionalVoxels& voxels) const;
     void gather(const DirectionalVoxels& voxels);
     // True if fillBricks() would change something.
     bool isOutdated(bool visibility) const { return isOutdated_ || showsVisibility_ != visibility; }
@@ -95,19 +97,17 @@ class Irradiance {
     void reserveFaces(const DirectionalVoxels& voxels);
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
-    // The position of the hits: words of all faces come first, and the next ids of dynamic ones.
-    std::size_t firstHitWord(const FaceCapacities& capacities, std::uint32_t ids) const {
-        return std::size_t{irradianceWords()} * ids + ids - capacities[0];
-    }
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
     bool takeBaked(const BakedLight& light, const DirectionalVoxels& voxels,
                    std::vector<std::uint32_t>& words) const;
     void uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const;
-    // Dispatches a program over all faces; what it writes is visible to the next one.
+    // Dispatches a program over the faces that the step visits; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
     // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
     // static geometry has changed, a bit for each. Its new faces get light as well.
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const;
+    // Lists the static faces that the next steps visit.
+    void listVisited(const DirectionalVoxels& voxels) const;
     // `moved`: the cascades whose static walls have changed, a bit for each.
     void placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const;
     // Marks the walls of a list's faces in a texture of their words.
@@ -123,6 +123,7 @@ class Irradiance {
     gl::Program clearBricks_, placeBricks_, markWalls_, sky_, trace_, gather_, refine_, smoothRows_, smooth_,
         fillBricks_;
     std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
+    std::optional<gl::Program> listVisited_;            // only with cascades
     std::optional<gl::Program> block_;                  // only with moving objects
     std::optional<gl::Program> findEmitters_;           // only if the scene has compact emitters
     bool emitters_;
@@ -132,6 +133,7 @@ class Irradiance {
     bool placesBricks_ = true;      // the next step has to place the bricks
     bool marksAllWalls_ = true;     // the next step has to mark all static walls
     bool isOutdated_ = true;        // the bricks do not show the last step
+    bool fillsAll_ = true;          // and all of them have to be filled
     bool showsVisibility_ = false;  // the bricks have ambient visibility
     gl::Buffer uniforms_, faceIrradiance_;
     std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_;

@@ -21,7 +21,7 @@ void LightInjector::run(const DirectionalVoxels& voxels, const DirectLight& ligh
     irradiance.bind(voxels);
     inject_.use();
     light.bind();
-    voxels.index().dispatchOverFaces(0);
+    irradiance.dispatchOverVisited(voxels);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -40,6 +40,15 @@ LightPlan LightSchedule::advance(const Change& change) {
         plan.refiningStep = refiningSteps_ - stepsLeft_;
     }
     if (stepsLeft_ > 0) --stepsLeft_;
+
+    if (isFirst || (change.any() && !change.isMove())) changedAll_ = frame_;
+    const auto steps = static_cast<std::uint32_t>(lightFrames_);
+    const bool isRefining = plan.refiningStep >= 0;
+    plan.visitsAll = changedAll_ != 0 && (isRefining || plan.interrupts || frame_ - changedAll_ < steps);
+    plan.listsVisited = !plan.visitsAll && (change.isMove() || plan.refiningStep == 0 || visitedAll_);
+    plan.visitsSince = isRefining || frame_ < steps ? 1 : frame_ - steps + 1;
+    visitedAll_ = plan.visitsAll;
+    if (plan.endsRefinement()) changedAll_ = 0;
     return plan;
 }
 

@@ -2,7 +2,8 @@
 //
 // Each step lights all faces from the hits of their cached rays, so it adds one bounce. After a change there
 // are three states: `lightFrames` steps add bounces; then, if the settings ask for it, further rays refine
-// the means; then the light has converged, and no step runs until something changes.
+// the means; then the light has converged, and no step runs until something changes. After a move of cascades
+// the steps visit only the faces that it has changed.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,9 @@ struct LightPlan {
     int refiningSteps = 0;            // steps of the refinement
     bool interrupts = false;          // the step ends a refinement too early
     bool traces = false;              // cached rays may be unknown or out of date
+    bool visitsAll = true;            // the step visits all faces; false: a list of them
+    bool listsVisited = false;        // the faces of that list have changed
+    std::uint32_t visitsSince = 0;    // step, counted from 1, since which the faces of the list have changed
     bool updatesDirect = false;       // direct light has changed
     bool updatesSky = false;          // the sky has changed
     bool updatesEmitters = false;     // the light of compact emitters has changed
@@ -38,8 +42,11 @@ class LightSchedule {
         bool light = false;           // the light or the occluders have changed
         bool emitters = false;        // emitters or occluders have changed
         bool sky = false;             // the sky has changed
+        bool objects = false;         // dynamic objects were voxelized
         bool cascades = false;        // cascades have moved with the camera
         bool any() const { return lists || light || emitters || sky || cascades; }
+        // True if nothing else has changed than the places of cascades.
+        bool isMove() const { return any() && !(light || emitters || sky || objects); }
     };
     // Returns the parameters of the next step.
     LightPlan advance(const Change& change);
@@ -60,6 +67,9 @@ class LightSchedule {
     int lightFrames_, refiningSteps_, tracingSteps_, rayBudget_, rays_;
     int stepsLeft_, tracingStepsLeft_;
     std::uint32_t frame_ = 0;
+    // The step, counted from 1, in which light changed everywhere; 0: a refinement has visited all since.
+    std::uint32_t changedAll_ = 0;
+    bool visitedAll_ = true;  // in the last step
 };
 
 }  // namespace vct

@@ -1,0 +1,21 @@
+// Lists the static faces that the next light steps visit after cascades have moved. Only with cascades.
+#include "directional/face_lists.glsl"
+#include "directional/face_irradiance.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+
+void main() {
+    COUNT(VCT_COUNTER_LIST_VISITED);
+    uint count = faceCount(0u);
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
+        COUNT(VCT_COUNTER_LIST_VISITED_FACE);
+        // All faces have light now. The first of the ids that share a word clears it.
+        if ((id & 31u) == 0u) faceData[freshAt(id)] = 0u;
+        uint changed = faceIrradianceData[changedAt(id)];
+        if (changed == 0u || changed < lightStep.visitsSince || baseFace(id).isMerged) continue;
+        uint i = reserveFaces(uint(VCT_LIST_VISITED), 1u);
+        if (i < commands[VCT_LIST_VISITED].faceCapacity)
+            faceData[commands[VCT_LIST_VISITED].firstFace + i] = id;
+    }
+}
