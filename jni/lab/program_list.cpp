@@ -22,8 +22,8 @@ namespace vct {
 namespace {
 
 constexpr std::array lightPrograms{"clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
-constexpr std::array rayPrograms{"carry_over", "carry_hits", "list_visited", "sky",         "trace",
-                                 "block",      "gather",     "refine",       "smooth_rows", "smooth"};
+constexpr std::array rayPrograms{"carry_over", "carry_hits", "forward_hits", "list_visited", "sky",   "trace",
+                                 "block",      "gather",     "refine",       "smooth_rows",  "smooth"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
@@ -35,9 +35,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
         packedMipmapperProgram(), packedClearProgram(),   voxelViewProgram(),
 
-        listFacesProgram(),       clearBlocksProgram(),   resetListsProgram(),
-        markStaticProgram(),      shadowMomentsProgram(), nextShadowMomentsProgram(),
-        deformProgram(),          copyVerticesProgram(),  sortAxesProgram()};
+        listBlocksProgram(),      listFacesProgram(),     clearBlocksProgram(),       resetListsProgram(),
+        markStaticProgram(),      shadowMomentsProgram(), nextShadowMomentsProgram(), deformProgram(),
+        copyVerticesProgram(),    sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
@@ -149,6 +149,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         if (settings.cascades > 1) {
             add(Step::voxelize, unlistStaticProgram(emission), false);
             add(Step::voxelize, scrollProgram(emission), false);
+            add(Step::voxelize, listBlocksProgram(), false);
         }
         for (unsigned f : features.materialFeatures) {
             add(Step::voxelize, markFacesProgram(f));
@@ -167,6 +168,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
             };
             for (const char* name : {"carry_hits", "trace", "gather", "smooth_rows", "smooth"})
                 addRays(name, true);
+            if (settings.cascades > 1) addRays("forward_hits", false);
             if (settings.cascades > 1) addRays("list_visited", false);
             addRays("sky", false);
             addRays("refine", false);

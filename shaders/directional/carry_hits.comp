@@ -1,46 +1,28 @@
 // Copies the hits of cached rays from the faces of the last pose that carry_over.comp has chosen. Ids of
-// faces in the last pose are replaced by those in the new one. Static faces come first if cascades have
-// moved, and keep their hits. A ray that has hit a face which is not listed any more is traced again.
-#include "directional/cascades.glsl"
+// faces in the last pose are replaced by those in the new one. A ray that has hit a face which is not listed
+// any more is traced again.
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(location = VCT_UNIFORM_LIST) uniform uint list;
-
-layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade
 
 // The hit with the id that its face has in the new lists.
 uint hitInNewLists(uint hit) {
     uint code = hit & ~VCT_HIT_NEAR, target = code - VCT_HIT_FACE, last = dynamicList ^ 1u;
     if (code < VCT_HIT_FACE) return hit;
-    if (VCT_CASCADES > 1 && target < commands[0].faceCapacity) {
-        // Another face may have the id by now.
-        uint gone = faceData[freeAt(target)] | faceData[freshAt(target)];
-        return (gone >> (target & 31u) & 1u) != 0u ? VCT_HIT_UNKNOWN : hit;
-    }
+    if (VCT_CASCADES > 1 && target < commands[0].faceCapacity) return isGone(target) ? VCT_HIT_UNKNOWN : hit;
     if (target - commands[last].firstId >= commands[last].faceCapacity) return hit;
     uint next = faceIrradianceData[forwardAt(target)];
     return next == 0u ? VCT_HIT_UNKNOWN : VCT_HIT_FACE + next - 1u | hit & VCT_HIT_NEAR;
 }
 
-// The face, counted from 1, whose hits a face takes over; 0: none.
-uint origin(uint id) {
-    if (list != 0u) return cachedHit(id, 0u);
-    return isFresh(id) ? 0u : id + 1u;
-}
-
 void main() {
     COUNT(VCT_COUNTER_CARRY_HITS);
-    uint count = faceCount(list);
+    uint count = faceCount(dynamicList);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_CARRY_HITS_FACE);
-        uint id = commands[list].firstId + i;
-        // A ray does not meet cascades that are finer than that of its face.
-        ListedFace listed = listedFace(list, i);
-        if (list == 0u && (listed.isMerged || cascadeOf(listed.voxel) > findMSB(moved))) continue;
-        uint from = origin(id);
+        uint id = commands[dynamicList].firstId + i, from = cachedHit(id, 0u);
         uint known = 0u, backs = 0u;
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
             uvec4 hits = uvec4(VCT_HIT_UNKNOWN);
@@ -58,8 +40,6 @@ void main() {
         }
         // The means over the rays that are known, of those that hit the sky.
         FaceSight sight = faceSight(id);
-        if (list == 0u && known + backs < sight.rays + sight.backs)
-            faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * (float(sight.rays) / max(float(known), 1.0));
         storeFaceMean(id, VCT_MEAN_SKY, sky);
         storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);

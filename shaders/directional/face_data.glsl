@@ -14,6 +14,7 @@ layout(std430, binding = VCT_SSBO_FACES) buffer FaceBlock {
 };
 
 #define VCT_FACE_SURFACE 0u      // packSurface()
+#define VCT_FACE_INSTEAD 0u      // of a face that is gone: faceInstead() in directional/face_lists.glsl
 #define VCT_FACE_EXTENT 1u       // packExtent()
 #define VCT_FACE_REFLECTANCE 2u  // packRgb9e5(), albedo of what covers the face
 #define VCT_FACE_EMITTED 3u      // packRgb9e5(), relative to E/pi, of what covers the face

@@ -50,7 +50,7 @@ uint reserveFaces(uint list, uint count) {
     return first;
 }
 
-// Static ids have two bits each: set if no face has the id any more, and if its face has no light yet
+// Static ids have two bits each: set if the id may be used again, and if its face has no light yet
 // (directional/carry_over.comp).
 uint freeAt(uint id) {
     return commands[0].firstMask + id / 32u;
@@ -60,6 +60,18 @@ uint freshAt(uint id) {
 }
 bool isFresh(uint id) {
     return (faceData[freshAt(id)] >> (id & 31u) & 1u) != 0u;
+}
+bool isFree(uint id) {
+    return (faceData[freeAt(id)] >> (id & 31u) & 1u) != 0u;
+}
+// True if the face that had a static id is gone; another one may have the id by now.
+bool isGone(uint id) {
+    return faceData[commands[0].firstFace + id] == VCT_FREE_FACE || isFresh(id);
+}
+// The id, counted from 1, of the face that is in the place of one that is gone; 0: unknown.
+uint faceInstead(uint id) {
+    uint other = isFresh(id) ? 0u : faceData[faceAt(id) + VCT_FACE_INSTEAD];
+    return other == 0u || isGone(other - 1u) ? 0u : other;
 }
 // The bits of `count` ids from `first` on, in the word of `first` or in the next one.
 uint bitsOfIds(uint first, uint count, uint inWord) {

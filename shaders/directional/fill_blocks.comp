@@ -9,6 +9,8 @@
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(rgba16ui, binding = VCT_IMAGE_BLOCKS) writeonly uniform highp uimage3D blocks;
 
+layout(location = VCT_UNIFORM_CASCADES) uniform uint changed;  // a bit per cascade
+
 void storeBits(ivec3 texel, uvec2 bits) {
     imageStore(blocks, texel, uvec4(bits.x & 0xFFFFu, bits.x >> 16u, bits.y & 0xFFFFu, bits.y >> 16u));
 }
@@ -19,6 +21,7 @@ void main() {
     int side = frame.gridSide / VCT_BRICK_SIDE, depth = side * cascades;
     if (any(greaterThanEqual(texel, ivec3(side, side, imageSize(blocks).z)))) return;
     bool isDynamic = texel.z >= depth;
+    if (!isDynamic && (changed >> uint(texel.z / side) & 1u) == 0u) return;
     uvec2 faces[6];
     for (int face = 0; face < 6; ++face) {
         uint at = blockWords(texel - ivec3(0, 0, isDynamic ? depth : 0), face, isDynamic);

@@ -48,6 +48,10 @@ void main() {
         if (VCT_CASCADES > 1 && !isDynamic && fits)
             for (uint word = 0u; word < 2u; ++word)
                 atomicOr(faceData[freshAt(first) + word], bitsOfIds(first, facesHere, word));
-        addToBlock(voxel, fits ? faces : 0u, faces & ~known, isDynamic);
+        if (fits) markInBlock(voxel, faces, isDynamic);
+        // The first voxel that sets the bit of a block's face lists it.
+        uint shift, at = maskAt(voxel >> VCT_BRICK_LEVEL, shift), listed = faces & ~known;
+        uint before = atomicOr(faceData[at], listed << shift) >> shift;
+        listOfBlock(voxel >> VCT_BRICK_LEVEL, listed & ~before);
     }
 }

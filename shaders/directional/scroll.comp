@@ -1,9 +1,10 @@
-// Lists the static voxels that the cascades still hold after they have moved. Their faces keep their ids, and
-// the ids of the others are free. Only with cascades.
+// Lists the static voxels that the cascades still hold after they have moved. Their faces keep their ids.
+// Those of the others are free from the next move on; until then they lead to the face of the next cascade
+// that is in the same place (faceInstead()). Only with cascades.
 #include "directional/block_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;
+layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform highp uimage3D index;
 layout(location = VCT_UNIFORM_REBUILDS) uniform uint rebuilds;               // 1: sums begin at 0 again
 layout(location = VCT_UNIFORM_SHIFT) uniform uint shifts[VCT_MAX_CASCADES];  // packShift() of each cascade
 
@@ -15,6 +16,17 @@ void clearSums(uint id) {
         faceSumData[at + word] = 0u;
 }
 
+// The id, counted from 1, of the face of the next coarser cascade where a voxel is; 0: none. The voxel may be
+// outside of its cascade, whose number is `own`.
+uint idInNextCascade(ivec3 voxel, int own, int face) {
+    if (own + 1 >= cascades || shifts[own + 1] != 0u) return 0u;
+    vec3 middle = volumeFromVoxels(vec3(voxel) + 0.5, own);
+    ivec3 next = ivec3(floor(voxelsFromVolume(middle, own + 1)));
+    if (next != clampToCascade(next, ivec3(0, 0, (own + 1) * frame.gridSide), frame.gridSide)) return 0u;
+    uint cell = imageLoad(index, next).r;
+    return hasFace(cell, face) ? faceId(cell, face) + 1u : 0u;
+}
+
 void main() {
     COUNT(VCT_COUNTER_SCROLL);
     uint total = faceCount(0u), list = commands[0].firstFace;
@@ -22,9 +34,14 @@ void main() {
     for (uint id = gl_GlobalInvocationID.x; id < total; id += stride) {
         COUNT(VCT_COUNTER_SCROLL_FACE);
         uint entry = faceData[list + id];
-        if (entry == VCT_FREE_FACE || (entry & VCT_FIRST_FACE) == 0u) continue;
+        if (entry == VCT_FREE_FACE) {
+            if (!isFree(id)) atomicOr(faceData[freeAt(id)], 1u << (id & 31u));
+            continue;
+        }
+        if ((entry & VCT_FIRST_FACE) == 0u) continue;
         ivec3 voxel = unpackListed(entry).voxel;
-        ivec3 now = voxel - unpackShift(shifts[cascadeOf(voxel)]);
+        int own = cascadeOf(voxel);
+        ivec3 now = voxel - unpackShift(shifts[own]);
         bool stays = now == clampToCascade(now, voxel, frame.gridSide);
         // The other faces of the voxel follow, without the mark of a first face.
         uint faces = 0u, count = 0u;
@@ -32,24 +49,26 @@ void main() {
             COUNT(VCT_COUNTER_SCROLL_OF_VOXEL);
             int face = int(unpackFace(entry));
             faces |= 1u << uint(face);
-            if (stays)
+            if (stays) {
                 storeListed(0u, id + count, now, face, entry & VCT_FIRST_FACE);
-            else
+            } else {
                 faceData[list + id + count] = VCT_FREE_FACE;
+                faceData[faceAt(id + count) + VCT_FACE_INSTEAD] = idInNextCascade(now, own, face);
+            }
             if (!stays || rebuilds != 0u) clearSums(id + count);
             ++count;
             entry = id + count < total ? faceData[list + id + count] : VCT_FREE_FACE;
         } while (count < 6u && (entry & VCT_FIRST_FACE) == 0u);
         if (stays) {
-            if (now != voxel) imageStore(index, now, uvec4(packCell(id, faces)));
             appendVoxel(0u, uvec3(now));
-            addToBlock(now, faces, faces, false);
+            if (now == voxel) continue;
+            imageStore(index, now, uvec4(packCell(id, faces)));
+            markInBlock(now, faces, false);
+            uint shift, at = maskAt(now >> VCT_BRICK_LEVEL, shift);
+            atomicOr(faceData[at], faces << shift);
         } else {
-            for (uint word = 0u; word < 2u; ++word) {
-                uint bits = bitsOfIds(id, count, word);
-                atomicOr(faceData[freeAt(id) + word], bits);
-                atomicAnd(faceData[freshAt(id) + word], ~bits);
-            }
+            for (uint word = 0u; word < 2u; ++word)
+                atomicAnd(faceData[freshAt(id) + word], ~bitsOfIds(id, count, word));
         }
     }
 }

@@ -180,7 +180,11 @@ using glm::vec4;
 #define VCT_COUNTER_SCROLL_OF_VOXEL 125
 #define VCT_COUNTER_LIST_VISITED 126
 #define VCT_COUNTER_LIST_VISITED_FACE 127
-#define VCT_COUNTER_COUNT 128
+#define VCT_COUNTER_LIST_BLOCKS 128
+#define VCT_COUNTER_FORWARD_HITS 129
+#define VCT_COUNTER_FORWARD_HITS_FACE 130
+#define VCT_COUNTER_FORWARD_HITS_FOUR 131
+#define VCT_COUNTER_COUNT 132
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -230,7 +234,7 @@ using glm::vec4;
 #define VCT_UNIFORM_LEVEL 0             // mip level of a pass over a list
 #define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
-#define VCT_UNIFORM_CASCADES 2          // the cascades that have moved, a bit for each
+#define VCT_UNIFORM_CASCADES 2          // the cascades whose static geometry has changed, a bit for each
 #define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
 #define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades

@@ -216,11 +216,11 @@ TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
         largest.percentile99 = std::max(largest.percentile99, changes.percentile99);
         last = now;
     }
-    EXPECT_LT(without.rms, 0.025);
-    EXPECT_LE(worst.rms, std::hypot(without.rms, 0.018));
-    EXPECT_LE(worst.percentile99, without.percentile99 + 0.03);
+    EXPECT_LT(without.rms, 0.001);
+    EXPECT_LE(worst.rms, 0.004);
+    EXPECT_LE(worst.percentile99, 0.012);
 
-    EXPECT_LE(differenceFromFresh(context, walk, 7.0), 0.02);
+    EXPECT_LE(differenceFromFresh(context, walk, 7.0), 0.002);
 }
 
 // Cascades that have moved one by one, while objects move as well, hold the voxels that they hold in a new
@@ -387,7 +387,7 @@ TEST(CascadesOnAWalk, ConvergeToTheSameLightWhereverTheyAre) {
         ++count;
     }
     ASSERT_GT(count, 500);
-    EXPECT_NEAR(difference / count, 0.0, 0.01);
+    EXPECT_NEAR(difference / count, 0.0, 0.002);
 }
 
 // Flies 16 m with a step of the finest cascade in each frame, and jumps back.
@@ -399,7 +399,7 @@ TEST(CascadesOnAFlight, KeepTheLightInBoundsAndConvergeAfterAJump) {
     for (double x = 2.8; x < 18.0; x += 0.8)
         for (const double ratio : walk.see(x, LightSteps::one, points))
             ASSERT_TRUE(ratio == -1.0 || (ratio > 0.4 && ratio < 2.0)) << ratio << " at " << x;
-    EXPECT_LE(differenceFromFresh(context, walk, 3.0), 0.02);
+    EXPECT_LE(differenceFromFresh(context, walk, 3.0), 0.005);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "engine/directional/directional_volume.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,13 @@ CascadeShifts shiftsOf(const Cascades& before, const Cascades& now, int grid) {
             glm::ivec3(glm::round(glm::clamp(voxels, -static_cast<double>(grid), static_cast<double>(grid))));
     }
     return shifts;
+}
+
+// True if a cascade has moved so far that it holds mostly new faces.
+bool isFar(const CascadeShifts& shifts, int grid) {
+    return std::any_of(shifts.begin(), shifts.end(), [=](const glm::ivec3& shift) {
+        return std::max({std::abs(shift.x), std::abs(shift.y), std::abs(shift.z)}) > grid / 4;
+    });
 }
 
 // A bit for each cascade that has moved.
@@ -87,7 +95,7 @@ void DirectionalVolume::voxelize(const GpuScene& scene, const DirectionalVoxeliz
         voxels_.markStatic();
     }
     if (hasDynamic_) voxelizeDynamic(scene, still.cascades);
-    voxels_.resolve();
+    voxels_.resolve(still.moved);
 }
 
 void DirectionalVolume::voxelizeDynamic(const GpuScene& scene, const Cascades& cascades) {
@@ -105,7 +113,7 @@ std::uint32_t DirectionalVolume::revoxelize(const GpuScene& scene, const Cascade
     if (moved == 0 && !rebuilds) {
         voxels_.beginPose();
         voxelizeDynamic(scene, cascades);
-        voxels_.resolve();
+        voxels_.resolve(0);
         return 0;
     }
     voxels_.beginMove(shifts, moved, rebuilds);
@@ -160,6 +168,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const bool sameObjects = before && before->placements == inputs.now.placements;
     std::uint32_t moved = 0;
     const bool isMoved = !(*cascades_ == inputs.cascades);
+    const bool isJump = isFar(shiftsOf(*cascades_, inputs.cascades, voxels_.grid()), voxels_.grid());
     const bool changesStatic = isMoved || (hasCascades_ && (inputs.forceRebuild || isIncomplete_));
     const bool voxelizes = changesStatic || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
     if (voxelizes)
@@ -174,7 +183,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         light_->onVoxelsChanged({voxelizes, moved, before != inputs.now,
                                  !sameObjects || before->lightChanges != inputs.now.lightChanges,
                                  before && before->skyChanges != inputs.now.skyChanges,
-                                 voxelizes && hasDynamic_, isMoved});
+                                 isJump || (voxelizes && hasDynamic_), isMoved});
     cachedFor_ = inputs.now;
 
     VoxelLight light;

@@ -41,6 +41,10 @@ gl::ProgramDescription scrollProgram(bool emission) {
     return {"directional/scroll", {"directional/scroll.comp"}, emissionDefines(emission)};
 }
 
+gl::ProgramDescription listBlocksProgram() {
+    return {"directional/list_blocks", {"directional/list_blocks.comp"}, {}};
+}
+
 namespace {
 
 // Sets of voxels in the texture of blocks, along x and along y (placeOfSet() in
@@ -80,6 +84,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
     if (cascades > 1) {
         unlistStatic_ = gl::Program(shaders, unlistStaticProgram(emission));
         scroll_ = gl::Program(shaders, scrollProgram(emission));
+        listBlocks_ = gl::Program(shaders, listBlocksProgram());
     }
     for (int i = 0; dynamicObjects && i < 2; ++i)
         dynamicIndices_.push_back(
@@ -296,11 +301,18 @@ void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t mov
     gl::Uniform1ui(VCT_UNIFORM_REBUILDS, rebuilds ? 1 : 0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cascades_); ++i)
         gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i), shared::packShift(shifts.at(i)));
-    staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     index_.dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    listBlocks_.use();
+    dispatchOverBlocks(cascades_ * grid() / VCT_BRICK_SIDE);
     markStatic();
     gl::MemoryBarrier(GL_COMMAND_BARRIER_BIT);
+}
+
+void DirectionalVoxels::dispatchOverBlocks(int layers) const {
+    const auto groups = static_cast<GLuint>((grid() / VCT_BRICK_SIDE + 3) / 4);
+    gl::DispatchCompute(groups, groups, static_cast<GLuint>((layers + 3) / 4));
 }
 
 std::vector<DirectionalVoxels::BaseFace> DirectionalVoxels::readBaseFaces() const {
@@ -325,7 +337,7 @@ std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {
     return faces;
 }
 
-void DirectionalVoxels::resolve() const {
+void DirectionalVoxels::resolve(std::uint32_t changed) const {
     const gl::DebugGroup group("resolve faces");
     bindForVoxelization();
     resolve_.use();
@@ -334,9 +346,8 @@ void DirectionalVoxels::resolve() const {
     index_.dispatchOverFaces(0);
     fillBlocks_.use();
     blocks_.bindImage(VCT_IMAGE_BLOCKS, 0, GL_WRITE_ONLY);
-    const auto groups = static_cast<GLuint>((grid() / VCT_BRICK_SIDE + 3) / 4);
-    const int depth = (hasDynamicObjects() ? 2 : 1) * cascades_ * grid() / VCT_BRICK_SIDE;
-    gl::DispatchCompute(groups, groups, static_cast<GLuint>((depth + 3) / 4));
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);
+    dispatchOverBlocks((hasDynamicObjects() ? 2 : 1) * cascades_ * grid() / VCT_BRICK_SIDE);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

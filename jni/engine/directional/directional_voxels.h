@@ -25,6 +25,7 @@ gl::ProgramDescription resetListsProgram();
 gl::ProgramDescription markStaticProgram();
 gl::ProgramDescription unlistStaticProgram(bool emission);
 gl::ProgramDescription scrollProgram(bool emission);
+gl::ProgramDescription listBlocksProgram();
 
 // Capacities of the face lists, by list (VCT_LISTS).
 using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
@@ -97,8 +98,9 @@ class DirectionalVoxels {
     void beginMove(const CascadeShifts& shifts, std::uint32_t moved, bool rebuilds);
     static constexpr std::uint32_t allCascades = 0xFFFFFFFFU;
     // Writes the occupied voxels of blocks, and the surface and the material of each face, after static
-    // geometry and pose have been voxelized.
-    void resolve() const;
+    // geometry and pose have been voxelized. `changed`: the cascades whose static geometry has changed, a bit
+    // for each.
+    void resolve(std::uint32_t changed) const;
 
     // Entries (shared::packFace()) and ids of the base level's faces in the present pose, without merged
     // faces. Waits for the GPU.
@@ -118,6 +120,8 @@ class DirectionalVoxels {
 
   private:
     void resetLists(bool withStatic);
+    // Dispatches the current program, of groups of 4^3 blocks, over so many layers of blocks.
+    void dispatchOverBlocks(int layers) const;
     void placeLists(shared::CommandLists& commands) const;
     void writeIndex(std::uint32_t list, std::uint32_t firstId,
                     const std::vector<std::uint32_t>& entries) const;
@@ -134,7 +138,7 @@ class DirectionalVoxels {
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
     gl::Program markStatic_, fillBlocks_, resolve_;
     gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades
-    gl::Program unlistStatic_, scroll_;                    // only with cascades
+    gl::Program unlistStatic_, scroll_, listBlocks_;       // only with cascades
 };
 
 }  // namespace vct

@@ -81,6 +81,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
         carryOver_.emplace(shaders, raysProgram("carry_over", settings, sources));
         carryHits_.emplace(shaders, raysProgram("carry_hits", settings, sources));
     }
+    if (hasCascades) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block", settings, sources));
     if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
@@ -105,7 +106,7 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change) {
     pending_.light |= change.light;
     pending_.emitters |= change.emitters;
     pending_.sky |= change.sky;
-    pending_.objects |= change.objects;
+    pending_.all |= change.all;
     pending_.cascades |= change.cascades;
     placesBricks_ |= change.lists;
 }
@@ -166,19 +167,23 @@ void Irradiance::listVisited(const DirectionalVoxels& voxels) const {
 
 void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const {
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
-    // The new ids of all faces are known before any hit is copied.
-    for (const gl::Program* program : {&*carryOver_, &*carryHits_}) {
-        program->use();
-        if (program == &*carryHits_) gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
-        for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
-            if (list == 0 ? moved == 0 : !voxels.hasDynamicObjects()) continue;
-            gl::Uniform1ui(VCT_UNIFORM_LIST, list);
-            const gl::Texture& last = list == 0 ? voxels.staticIndex() : voxels.indexOf(list ^ 1U);
-            if (program == &*carryOver_) last.bind(VCT_TEX_PREVIOUS_VOXELS);
-            voxels.index().dispatchOverFaces(0);
-            gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        }
+    carryOver_->use();
+    for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
+        if (list == 0 ? moved == 0 : !voxels.hasDynamicObjects()) continue;
+        gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+        (list == 0 ? voxels.staticIndex() : voxels.indexOf(list ^ 1U)).bind(VCT_TEX_PREVIOUS_VOXELS);
+        voxels.index().dispatchOverFaces(0);
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
+    // The new ids of all faces are known before any hit is copied.
+    const auto run = [&](const gl::Program& program) {
+        program.use();
+        if (&program != &*carryHits_) gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+        voxels.index().dispatchOverFaces(0);
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    };
+    if (moved != 0) run(*forwardHits_);
+    if (voxels.hasDynamicObjects()) run(*carryHits_);
 }
 
 void Irradiance::gather(const DirectionalVoxels& voxels) {
@@ -335,12 +340,12 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels, std::uint32_t co
 void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const {
     shared::LightStep values{};
     values.frame = plan_.frame;
-    values.rays = static_cast<std::uint32_t>(settings_.rays);
+    values.rays = plan_.rays;
     values.movingRays = plan_.movingRays;
     values.minMovingRays = plan_.minMovingRays;
     if (plan_.refiningStep >= 0) {
         values.firstRefining = static_cast<std::uint32_t>(plan_.refiningStep * settings_.rays);
-        values.refiningRays = values.rays;
+        values.refiningRays = static_cast<std::uint32_t>(settings_.rays);
         values.refiningShare = 1.0F / static_cast<float>(plan_.refiningStep + 1);
         // A mean over few steps is noisy, so it is shown by degrees.
         const float done =

@@ -122,10 +122,10 @@ class Irradiance {
     LightSchedule::Change pending_;  // changes that no step has taken into account yet
     gl::Program clearBricks_, placeBricks_, markWalls_, sky_, trace_, gather_, refine_, smoothRows_, smooth_,
         fillBricks_;
-    std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
-    std::optional<gl::Program> listVisited_;            // only with cascades
-    std::optional<gl::Program> block_;                  // only with moving objects
-    std::optional<gl::Program> findEmitters_;           // only if the scene has compact emitters
+    std::optional<gl::Program> carryOver_, carryHits_;      // only with dynamic objects or cascades
+    std::optional<gl::Program> forwardHits_, listVisited_;  // only with cascades
+    std::optional<gl::Program> block_;                      // only with moving objects
+    std::optional<gl::Program> findEmitters_;               // only if the scene has compact emitters
     bool emitters_;
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
     bool isBakedCurrent_ = false;

@@ -1,11 +1,16 @@
 #include "engine/directional/light_schedule.h"
 
+#include <algorithm>
+
 namespace vct {
 
 namespace {
 
 // With fewer steps for the bounces, the caller asks for a quick picture.
 constexpr int minFramesToRefine = 16;
+
+// After a move of cascades, so many steps share the rays of one.
+constexpr int movePace = 4;
 
 }  // namespace
 
@@ -15,6 +20,7 @@ LightSchedule::LightSchedule(const GatherSettings& settings, int lightFrames)
       tracingSteps_((settings.directions + settings.rays - 1) / settings.rays),
       rayBudget_(settings.rayBudget),
       rays_(settings.rays),
+      moveSteps_(std::max(lightFrames, movePace * tracingSteps_)),
       stepsLeft_(convergenceSteps()),
       tracingStepsLeft_(tracingSteps_) {}
 
@@ -27,7 +33,7 @@ LightPlan LightSchedule::advance(const Change& change) {
     plan.updatesSky = change.sky;
     plan.refiningSteps = refiningSteps_;
     // This step traces some rays of moving objects, and those after it trace each of them once.
-    if (change.lists) tracingStepsLeft_ = tracingSteps_ + 1;
+    if (change.lists) tracingStepsLeft_ = (change.isMove() ? movePace : 1) * tracingSteps_ + 1;
     plan.traces = tracingStepsLeft_ > 0;
     // In a frame in which nothing moves, the hits of moving objects may still be those of earlier poses.
     plan.movingRays = change.lists ? static_cast<std::uint32_t>(rayBudget_) : 0;
@@ -35,18 +41,20 @@ LightPlan LightSchedule::advance(const Change& change) {
     if (tracingStepsLeft_ > 0) --tracingStepsLeft_;
     if (change.any()) {
         plan.interrupts = stepsLeft_ > 0 && stepsLeft_ < refiningSteps_;
-        stepsLeft_ = convergenceSteps();
+        stepsLeft_ = (change.isMove() ? moveSteps_ : lightFrames_) + refiningSteps_;
     } else if (stepsLeft_ <= refiningSteps_) {
         plan.refiningStep = refiningSteps_ - stepsLeft_;
     }
     if (stepsLeft_ > 0) --stepsLeft_;
 
     if (isFirst || (change.any() && !change.isMove())) changedAll_ = frame_;
-    const auto steps = static_cast<std::uint32_t>(lightFrames_);
+    const auto steps = static_cast<std::uint32_t>(lightFrames_),
+               moveSteps = static_cast<std::uint32_t>(moveSteps_);
     const bool isRefining = plan.refiningStep >= 0;
     plan.visitsAll = changedAll_ != 0 && (isRefining || plan.interrupts || frame_ - changedAll_ < steps);
     plan.listsVisited = !plan.visitsAll && (change.isMove() || plan.refiningStep == 0 || visitedAll_);
-    plan.visitsSince = isRefining || frame_ < steps ? 1 : frame_ - steps + 1;
+    plan.visitsSince = isRefining || frame_ < moveSteps ? 1 : frame_ - moveSteps + 1;
+    plan.rays = static_cast<std::uint32_t>(plan.visitsAll ? rays_ : std::max(rays_ / movePace, 1));
     visitedAll_ = plan.visitsAll;
     if (plan.endsRefinement()) changedAll_ = 0;
     return plan;

@@ -3,7 +3,8 @@
 // Each step lights all faces from the hits of their cached rays, so it adds one bounce. After a change there
 // are three states: `lightFrames` steps add bounces; then, if the settings ask for it, further rays refine
 // the means; then the light has converged, and no step runs until something changes. After a move of cascades
-// the steps visit only the faces that it has changed.
+// the steps visit only the faces that it has changed, and trace their rays at a slower pace, because these
+// faces show the light of a coarser cascade meanwhile.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct LightPlan {
     int refiningSteps = 0;            // steps of the refinement
     bool interrupts = false;          // the step ends a refinement too early
     bool traces = false;              // cached rays may be unknown or out of date
+    std::uint32_t rays = 0;           // new rays per face
     bool visitsAll = true;            // the step visits all faces; false: a list of them
     bool listsVisited = false;        // the faces of that list have changed
     std::uint32_t visitsSince = 0;    // step, counted from 1, since which the faces of the list have changed
@@ -42,11 +44,11 @@ class LightSchedule {
         bool light = false;           // the light or the occluders have changed
         bool emitters = false;        // emitters or occluders have changed
         bool sky = false;             // the sky has changed
-        bool objects = false;         // dynamic objects were voxelized
+        bool all = false;             // something else that may change the light of all faces
         bool cascades = false;        // cascades have moved with the camera
         bool any() const { return lists || light || emitters || sky || cascades; }
         // True if nothing else has changed than the places of cascades.
-        bool isMove() const { return any() && !(light || emitters || sky || objects); }
+        bool isMove() const { return any() && !(light || emitters || sky || all); }
     };
     // Returns the parameters of the next step.
     LightPlan advance(const Change& change);
@@ -65,6 +67,7 @@ class LightSchedule {
 
   private:
     int lightFrames_, refiningSteps_, tracingSteps_, rayBudget_, rays_;
+    int moveSteps_;  // steps after a move, before a refinement
     int stepsLeft_, tracingStepsLeft_;
     std::uint32_t frame_ = 0;
     // The step, counted from 1, in which light changed everywhere; 0: a refinement has visited all since.
