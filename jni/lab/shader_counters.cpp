@@ -78,7 +78,7 @@ const std::vector<Stage>& stages() {
          {{"texel", 0, VCT_COUNTER_BRICKS_CLEAR_TEXEL}, {"place", 0, VCT_COUNTER_BRICKS_CLEAR_PLACE}}},
         {"directional/place_bricks.comp",
          VCT_COUNTER_PLACE_BRICKS,
-         {{"face", 0, VCT_COUNTER_PLACE_BRICKS_FACE}}},
+         {{"face", 0, VCT_COUNTER_PLACE_BRICKS_FACE}, {"block aside", 1, VCT_COUNTER_PLACE_BRICKS_ASIDE}}},
         {"directional/mark_walls.comp",
          VCT_COUNTER_MARK_WALLS,
          {{"face", 0, VCT_COUNTER_MARK_WALLS_FACE},

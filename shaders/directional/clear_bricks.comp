@@ -1,7 +1,6 @@
-// Clears the bricks of face irradiance that place_bricks.comp will use, the texture of their locations, and
-// the static walls of cascades that have moved. Each invocation clears a column of texels.
+// Clears the bricks of face irradiance, the texture of their locations, and the static walls of cascades that
+// have moved. Each invocation clears a column of texels.
 #include "directional/cascades.glsl"
-#include "directional/light_step.glsl"
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
@@ -14,12 +13,10 @@ layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascad
 void main() {
     COUNT(VCT_COUNTER_BRICKS_CLEAR);
     ivec2 column = ivec2(gl_GlobalInvocationID);
+    if (column == ivec2(0)) fullBricks = flatBricks = 0u;
     ivec3 size = imageSize(irradianceTexels);
-    uint layer = lightStep.bricksAlong * lightStep.bricksAlong;
-    uint used = min(commands[VCT_BRICK_LEVEL].faceCount, commands[VCT_BRICK_LEVEL].faceCapacity);
-    int usedTexels = VCT_BRICK_TEXELS * int((used + layer - 1u) / layer);
     if (all(lessThan(column, size.xy)))
-        for (int z = 0; z < min(usedTexels, size.z); ++z) {
+        for (int z = 0; z < size.z; ++z) {
             COUNT(VCT_COUNTER_BRICKS_CLEAR_TEXEL);
             imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
         }

@@ -1,4 +1,5 @@
 // Packs radiance, planes, surfaces and extents of faces into words, and cells into the index of the voxels.
+#include "directional/voxels.glsl"
 #include "shared/normals.glsl"
 
 // Radiance in 32 bits: three mantissas of 9 bits and an exponent of 5 (EXT_texture_shared_exponent). Channels
@@ -46,10 +47,6 @@ SurfacePlane unpackPlane(uint word) {
     return SurfacePlane(decodeOctahedral(steps.yz, 254.0), float(steps.x) / 127.5 - 1.0);
 }
 
-// The components along the axes that a face spans, cyclically behind the axis that it looks along.
-vec2 acrossFaces(vec3 v, int axis) {
-    return axis == 0 ? v.yz : axis == 1 ? v.zx : v.xy;
-}
 // The vector with these components across the face and along its axis.
 vec3 fromAcross(vec2 across, float along, int axis) {
     return axis == 0   ? vec3(along, across)

@@ -21,10 +21,15 @@ void storeInBricks(ListedFace listed, vec4 texel) {
         ivec3 chosen = ivec3(i) >> bit & edge;
         ivec3 other = block + chosen * aside;
         if (other != clampToCascade(other, block, blocks)) continue;
-        uint brick = brickAt(other, listed.face >> 1, listed.face & 1);
+        int axis = listed.face >> 1;
+        uint brick = brickAt(other, axis, listed.face & 1);
         if (brick == 0u) continue;
         ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
-        imageStore(irradianceTexels, unpackBrick(brick) * VCT_BRICK_TEXELS + inBrick, texel);
+        if ((brick & VCT_BRICK_IS_FLAT) != 0u) {
+            if (inBrick[axis] != int(layerOfBrick(brick)) + 1) continue;
+            inBrick = ivec3(acrossFaces(vec3(inBrick), axis), 0.0);
+        }
+        imageStore(irradianceTexels, firstTexel(brick) + inBrick, texel);
     }
 }
 

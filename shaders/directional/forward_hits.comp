@@ -31,7 +31,7 @@ void main() {
         // A ray does not meet cascades that are finer than that of its face.
         if (listed.isMerged || cascadeOf(listed.voxel) > findMSB(moved)) continue;
         bool isNew = isFresh(id);
-        uint forgotten = 0u;
+        uint lost = 0u;
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
             COUNT(VCT_COUNTER_FORWARD_HITS_FOUR);
             uvec4 hits = cachedHits(id, quad);
@@ -39,14 +39,14 @@ void main() {
                               hitNow(hits.w, isNew));
             if (hits == now) continue;
             storeCachedHits(id, quad, now);
-            forgotten += unknownOf(now) - unknownOf(hits);
+            lost += unknownOf(now) - unknownOf(hits);
         }
-        if (forgotten == 0u && !isNew) continue;
+        if (lost == 0u && !isNew) continue;
         faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
-        // Hits that are forgotten were of faces. The sky's share of the mean grows, as that of the other
+        // Hits that are lost were of faces. The sky's share of the mean grows, as that of the other
         // rays.
         FaceSight sight = faceSight(id);
-        uint known = isNew ? 0u : sight.rays - min(forgotten, sight.rays);
+        uint known = isNew ? 0u : sight.rays - min(lost, sight.rays);
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * (known == 0u ? 0.0 : float(sight.rays) / float(known));
         storeFaceMean(id, VCT_MEAN_SKY, sky);
         storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);

@@ -1,6 +1,7 @@
 // Look-up of face irradiance for a surface. Irradiance is stored in bricks. A brick belongs to one face of a
 // block of 4^3 voxels. It holds the block's 4^3 base-level faces of that direction, and a border of one texel
-// so that the texture unit can filter across blocks. A texel holds irradiance, relative to E and
+// so that the texture unit can filter across blocks; or, as on most walls and floors, the one layer of 4^2
+// faces that the block has, with a border around it. A texel holds irradiance, relative to E and
 // premultiplied by coverage, in rgb, and coverage in alpha. It has half floats, because filtering of 8 bits
 // would show steps that move with the camera.
 #include "shared/frame.glsl"
@@ -28,8 +29,8 @@ vec3 positionInBrick(vec3 position, ivec3 block) {
 mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
     // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
     // scales.
-    const vec3 texelsOfUnit = float(VCT_BRICK_TEXELS) / vec3(1 << 20, 1 << 10, 1);
-    vec3 texel = inBrick + vec3(brick & 0x3FF00000u, brick & 0xFFC00u, brick & 0x3FFu) * texelsOfUnit;
+    const vec3 texelsOfUnit = vec3(VCT_BRICK_TEXELS, VCT_BRICK_TEXELS, 1) / vec3(1 << 18, 1 << 10, 1);
+    vec3 texel = inBrick + vec3(brick & 0x3FC0000u, brick & 0x3FC00u, brick & 0x3FFu) * texelsOfUnit;
     mediump vec4 received = textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
     // A selection is cheaper than a branch, because nearly all bricks exist.
     return brick != 0u ? received : vec4(0.0);
@@ -42,6 +43,7 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick) {
     if ((brick & VCT_BRICK_HAS_WALLS) != 0u)
         inBrick =
             besideWalls(texelFetch(walls, texel, 0).r, inBrick, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
+    if ((brick & VCT_BRICK_IS_FLAT) != 0u) inBrick = vec3(acrossFaces(inBrick, axis), 0.5);
     return irradianceInBrick(brick, inBrick);
 }
 

@@ -1,6 +1,8 @@
-// Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks. The brick's
-// walls are the static ones, until mark_walls.comp adds those of dynamic objects.
+// Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks: a flat one
+// if the block's faces of that direction are in one layer. The brick's walls are the static ones, until
+// mark_walls.comp adds those of dynamic objects.
 #include "directional/face_lists.glsl"
+#include "directional/cascades.glsl"
 #include "directional/voxels.glsl"
 #include "directional/light_step.glsl"
 
@@ -10,18 +12,76 @@ layout(r32ui, binding = VCT_IMAGE_WALLS) writeonly uniform highp uimage3D walls;
 layout(binding = VCT_TEX_WALLS) uniform highp usampler3D staticWalls;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // VCT_BRICK_LEVEL
 
+// A bit for each layer of a block along an axis that has faces. `voxels`: the 64 bits of the block's voxels.
+uint layersOf(uvec2 voxels, int axis) {
+    if (axis == 2) {
+        uvec2 pairs = uvec2(notEqual(voxels & 0xFFFFu, uvec2(0u))) | uvec2(notEqual(voxels >> 16u, uvec2(0u)))
+                                                                         << 1u;
+        return pairs.x | pairs.y << 2u;
+    }
+    uint columns = voxels.x | voxels.y;
+    columns = (columns | columns >> 16u) & 0xFFFFu;  // bit x + 4 y
+    if (axis == 0) {
+        columns |= columns >> 8u;
+        return (columns | columns >> 4u) & 15u;
+    }
+    columns = (columns | columns >> 1u | columns >> 2u | columns >> 3u) & 0x1111u;
+    return (columns | columns >> 3u | columns >> 6u | columns >> 9u) & 15u;
+}
+
+// The same for the block `aside` of a listed face's block; none outside of its cascade.
+uint layersAside(ListedFace listed, ivec3 aside) {
+    ivec3 block = listed.voxel + aside;
+    if (block != clampToCascade(block, listed.voxel, frame.gridSide >> VCT_BRICK_LEVEL)) return 0u;
+    uint at = blockWords(block, listed.face, false), moving = blockWords(block, listed.face, true);
+    uvec2 voxels = uvec2(faceData[at] | faceData[moving], faceData[at + 1u] | faceData[moving + 1u]);
+    return layersOf(voxels, listed.face >> 1);
+}
+
+// True if the faces in the border of a block's brick are in no other layer than those of the block.
+bool isFlat(ListedFace listed, int layer) {
+    int axis = listed.face >> 1;
+    ivec3 along = ivec3(fromAcross(vec2(0.0), 1.0, axis));
+    for (int i = 0; i < 9; ++i) {
+        COUNT(VCT_COUNTER_PLACE_BRICKS_ASIDE);
+        ivec3 aside = ivec3(fromAcross(vec2(i % 3, i / 3) - 1.0, 0.0, axis));
+        if ((layersAside(listed, aside) & ~(1u << uint(layer))) != 0u) return false;
+        if (layer == 3 && (layersAside(listed, aside + along) & 1u) != 0u) return false;
+        if (layer == 0 && (layersAside(listed, aside - along) & 8u) != 0u) return false;
+    }
+    return true;
+}
+
+// Takes a place for the brick of a block's face. Returns 0 if there is no room.
+uint placeOf(ListedFace listed) {
+    uint layers = layersAside(listed, ivec3(0)), slot, texel = 0u, word = 0u;
+    if (bitCount(layers) != 1 || !isFlat(listed, findLSB(layers))) {
+        slot = atomicAdd(fullBricks, 1u);
+        if (slot >= lightStep.fullBricks) return 0u;
+    } else {
+        const uint inSlot = uint(VCT_BRICK_TEXELS);
+        uint number = atomicAdd(flatBricks, 1u);
+        slot = lightStep.fullBricks + number / inSlot;
+        if (slot >= lightStep.brickSlots) return 0u;
+        texel = number % inSlot;
+        word = packLayer(uint(findLSB(layers)));
+    }
+    uint along = lightStep.bricksAlong;
+    return word | packBrick(uvec3(slot % along, slot / along % along,
+                                  slot / (along * along) * uint(VCT_BRICK_TEXELS) + texel));
+}
+
 void main() {
     COUNT(VCT_COUNTER_PLACE_BRICKS);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    uint along = lightStep.bricksAlong;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_PLACE_BRICKS_FACE);
         ListedFace listed = listedFace(level, i);
-        uint brick = packBrick(uvec3(i % along, i / along % along, i / (along * along)));
+        uint brick = placeOf(listed);
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
         uint ownWalls = texelFetch(staticWalls, texel, 0).r;
-        if (ownWalls != 0u) brick |= VCT_BRICK_HAS_WALLS;
+        if (brick != 0u && ownWalls != 0u) brick |= VCT_BRICK_HAS_WALLS;
         imageStore(brickSlots, texel, uvec4(brick));
         imageStore(walls, texel, uvec4(ownWalls));
     }

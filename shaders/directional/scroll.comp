@@ -1,6 +1,6 @@
-// Lists the static voxels that the cascades still hold after they have moved. Their faces keep their ids.
-// Those of the others are free from the next move on; until then they lead to the face of the next cascade
-// that is in the same place (faceInstead()). Only with cascades.
+// Lists the static voxels that the cascades still hold after they have moved. Their faces keep their ids. The
+// ids of the other faces are free from the next move on; until then they lead to the face of the next cascade
+// in the same place (faceInstead()). Only with cascades.
 #include "directional/block_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

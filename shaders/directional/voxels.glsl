@@ -6,6 +6,11 @@ ivec3 faceTexel(ivec3 block, int axis, int side, int blocks) {
     return block + ivec3(ivec2(axis, side) * blocks, 0);
 }
 
+// The components along the axes that a face spans, cyclically behind the axis that it looks along.
+vec2 acrossFaces(vec3 v, int axis) {
+    return axis == 0 ? v.yz : axis == 1 ? v.zx : v.xy;
+}
+
 // Noise in 0..1 per channel, a hash of a voxel and a number (Jarzynski and Olano 2020, pcg).
 vec3 hashNoise(ivec3 voxel, uint number) {
     uint h = uint(voxel.x) + 1024u * (uint(voxel.y) + 1024u * uint(voxel.z)) + 2654435769u * number;

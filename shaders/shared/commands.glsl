@@ -9,6 +9,8 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     uint mostBlockedRays;
     uint unplacedFaces;
     uint searchedWords;
+    uint fullBricks;
+    uint flatBricks;
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];

@@ -184,7 +184,8 @@ using glm::vec4;
 #define VCT_COUNTER_FORWARD_HITS 129
 #define VCT_COUNTER_FORWARD_HITS_FACE 130
 #define VCT_COUNTER_FORWARD_HITS_FOUR 131
-#define VCT_COUNTER_COUNT 132
+#define VCT_COUNTER_PLACE_BRICKS_ASIDE 132
+#define VCT_COUNTER_COUNT 133
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -407,7 +408,9 @@ struct LightStep {
     uint blockedCapacity;  // room for so many
     uint objectCount;      // moving objects
     uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
-    uint unusedStep;
+    uint fullBricks;       // bricks of which there is room for so many; the flat ones are behind them
+    uint brickSlots;       // room for full bricks in all
+    uint unusedStep0, unusedStep1, unusedStep2;
     vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
 };
 
@@ -459,6 +462,8 @@ struct CommandLists {
     uint mostBlockedRays;  // the largest number in a step, also of those that did not fit
     uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
     uint searchedWords;    // searches for free ids so far
+    uint fullBricks;       // bricks that were placed last, also those that did not fit
+    uint flatBricks;
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.
@@ -506,14 +511,25 @@ VCT_FUNCTION uint packShift(ivec3 voxels) {
     return (uint(voxels.x) & 0x3FFu) | (uint(voxels.y) & 0x3FFu) << 10 | (uint(voxels.z) & 0x3FFu) << 20;
 }
 
-// Location of a brick of irradiance in its texture, in bricks: 10 bits per coordinate, and a bit that is
-// always set. Another bit is set if thin walls cross the brick (directional/walls.glsl).
+// Location of a brick of irradiance in its texture: x and y in bricks, 8 bits each, and z in texels, 10 bits;
+// and a bit that is always set. Another bit is set if thin walls cross the brick (directional/walls.glsl),
+// and one if it is flat: the block's faces are in one layer, 0..3, and the brick has only that. Then x and y
+// are those of acrossFaces().
 #define VCT_BRICK_HAS_WALLS 0x40000000u
-VCT_FUNCTION uint packBrick(uvec3 brick) {
-    return 0x80000000u | (brick.x << 20) | (brick.y << 10) | brick.z;
+#define VCT_BRICK_IS_FLAT 0x20000000u
+VCT_FUNCTION uint packBrick(uvec3 place) {
+    return 0x80000000u | (place.x << 18) | (place.y << 10) | place.z;
 }
-VCT_FUNCTION ivec3 unpackBrick(uint word) {
-    return ivec3(int((word >> 20) & 0x3FFu), int((word >> 10) & 0x3FFu), int(word & 0x3FFu));
+VCT_FUNCTION uint packLayer(uint layer) {
+    return VCT_BRICK_IS_FLAT | layer << 26;
+}
+VCT_FUNCTION uint layerOfBrick(uint word) {
+    return (word >> 26) & 3u;
+}
+// The first texel of a brick.
+VCT_FUNCTION ivec3 firstTexel(uint word) {
+    return ivec3(int((word >> 18) & 0xFFu) * VCT_BRICK_TEXELS, int((word >> 10) & 0xFFu) * VCT_BRICK_TEXELS,
+                 int(word & 0x3FFu));
 }
 
 // The voxel word (thesis figure 4.3), high to low: light counter 4 bits, count 4, R 8, G 8, B 8. Light comes

@@ -70,7 +70,10 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
         // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
         if (!counts_.finish(&found, voxels_.index().commands())) return;
         growIfNeeded(found);
-        if (light_) light_->onRaysBlocked(found.mostBlockedRays);
+        if (light_) {
+            light_->onRaysBlocked(found.mostBlockedRays);
+            light_->onBricksPlaced(found.fullBricks, found.flatBricks);
+        }
         return;
     }
     // Everything is voxelized twice: first to count the faces, then into lists that have room for them.
@@ -206,9 +209,12 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         if (light_->isDirectOutdated())
             timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, *light_); });
         if (light_->isGatherNeeded()) timer.time(Step::irradiance, [&] { light_->gather(voxels_); });
-        // A picture of converged light waits for the GPU, so that no ray is left out.
-        if (i == 0 && inputs.lightSteps > 1 && !objects.empty())
-            light_->onRaysBlocked(voxels_.index().readCommands().mostBlockedRays);
+        // A picture of converged light waits for the GPU, so that no ray and no brick is left out.
+        if (i == 0 && inputs.lightSteps > 1 && (hasDynamic_ || hasCascades_)) {
+            const shared::CommandLists found = voxels_.index().readCommands();
+            light_->onRaysBlocked(found.mostBlockedRays);
+            light_->onBricksPlaced(found.fullBricks, found.flatBricks);
+        }
         if (inputs.onLightStep) inputs.onLightStep(i + 1, i + 1 + light_->stepsLeft());
     }
     if (const bool visibility = reads(inputs.output).ambientVisibility; light_->isOutdated(visibility))

@@ -64,6 +64,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     : settings_(settings),
       lightFrames_(lightFrames),
       hasObjects_(hasObjects),
+      listsChange_(listsChange),
       schedule_(settings, lightFrames),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
@@ -128,16 +129,25 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     isBakedStep_ = false;
     reserveFaces(voxels);
     if (isBakedStep_) schedule_.end();
-    reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
+    reserveBricks(voxels);
     uploadUniforms(objects, allBounces);
     // The last frame fetched textures that this step writes, and earlier passes wrote data that it reads.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
     if (std::exchange(placesBricks_, false)) {
-        if (carryOver_ && !isFirst) carryOver(voxels, change.voxelized);
+        if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
         placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
         marksAllWalls_ = false;
+        if (isFirst) {
+            // The bricks are counted by placing them.
+            const shared::CommandLists found = voxels.index().readCommands();
+            onBricksPlaced(found.fullBricks, found.flatBricks);
+            reserveBricks(voxels);
+            uploadUniforms(objects, allBounces);
+            bind(voxels);
+            if (std::exchange(placesBricks_, false)) placeBricks(voxels, 0);
+        }
         fillsAll_ = true;
     }
     if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels);
@@ -317,14 +327,23 @@ std::vector<BakedLight::Face> Irradiance::bake(const DirectionalVoxels& voxels) 
     return faces;
 }
 
+void Irradiance::onBricksPlaced(std::uint32_t full, std::uint32_t flat) {
+    const auto withRoom = [this](std::uint32_t count) {
+        return listsChange_ ? count + count / 8 + 64 : count;
+    };
+    if (full > fullBricks_) fullBricks_ = withRoom(full);
+    if (flat > flatBricks_) flatBricks_ = withRoom(flat);
+}
+
 // The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,
 // for grids up to 256^3.
-void Irradiance::reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count) {
-    if (irradiance_ && count == brickCapacity_) return;
-    brickCapacity_ = count;
-    bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(count, 1U))));
+void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
+    const std::uint32_t slots = fullBricks_ + (flatBricks_ + VCT_BRICK_TEXELS - 1) / VCT_BRICK_TEXELS;
+    if (irradiance_ && slots == brickSlots_) return;
+    brickSlots_ = slots;
+    bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(slots, 1U))));
     const std::uint32_t layer = bricksAlong_ * bricksAlong_;
-    const std::uint32_t layers = std::max((count + layer - 1) / layer, 1U);
+    const std::uint32_t layers = std::max((slots + layer - 1) / layer, 1U);
     irradianceSize_ = VCT_BRICK_TEXELS * glm::ivec3(bricksAlong_, bricksAlong_, layers);
     irradiance_ = gl::Texture::make3d("irradiance", GL_RGBA16F, irradianceSize_.x, irradianceSize_.y,
                                       irradianceSize_.z, 1);
@@ -357,6 +376,8 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.updatesDirect = plan_.updatesDirect ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
     values.bricksAlong = bricksAlong_;
+    values.fullBricks = fullBricks_;
+    values.brickSlots = brickSlots_;
     values.firstForward = irradianceWords() * idCapacity_;
     values.firstHit = values.firstForward + idCapacity_;
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
@@ -385,7 +406,8 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t move
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
     const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels)) + 7) / 8;
     gl::DispatchCompute(groups.x, groups.y, 1);
-    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                      GL_SHADER_STORAGE_BARRIER_BIT);
     if (moved != 0) markWalls(voxels, 0, *staticWalls_, moved);
     placeBricks_.use();
     staticWalls_->bind(VCT_TEX_WALLS);

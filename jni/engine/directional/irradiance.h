@@ -41,6 +41,9 @@ class Irradiance {
     void onRaysBlocked(std::uint32_t count) {
         if (count > blockedCapacity_) blocked_ = count + count / 2;
     }
+    // Reports how many bricks, full and flat ones, an earlier step has placed or had no room for. The next
+    // step has room for as many.
+    void onBricksPlaced(std::uint32_t full, std::uint32_t flat);
     // Makes the next step start without light and hits.
     void invalidate();
     // Makes the first step take over baked light. `isCurrent`: neither lights nor sky have changed since the
@@ -93,7 +96,7 @@ class Irradiance {
     void bind(const DirectionalVoxels& voxels) const;
 
   private:
-    void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
+    void reserveBricks(const DirectionalVoxels& voxels);
     void reserveFaces(const DirectionalVoxels& voxels);
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
@@ -116,7 +119,7 @@ class Irradiance {
 
     GatherSettings settings_;
     int lightFrames_;
-    bool hasObjects_;
+    bool hasObjects_, listsChange_;
     LightSchedule schedule_;
     LightPlan plan_;
     LightSchedule::Change pending_;  // changes that no step has taken into account yet
@@ -139,7 +142,9 @@ class Irradiance {
     std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_;
     glm::ivec3 irradianceSize_{0};
     FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
-    std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0, blockedCapacity_ = 0, blocked_ = 0;
+    std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
+    std::uint32_t fullBricks_ = 0, flatBricks_ = 0;  // room for so many
+    std::uint32_t brickSlots_ = 0, bricksAlong_ = 0;
 };
 
 }  // namespace vct
