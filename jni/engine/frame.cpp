@@ -30,12 +30,15 @@ void Renderer::render(const RenderRequest& request) {
     const SceneState now = state();
     const bool readsVoxels = std::any_of(request.outputs.begin(), request.outputs.end(),
                                          [](Output output) { return reads(output).voxels; });
-    // Nested cubes of voxels follow the camera, if the scene has more than one.
-    const Cascades lastCascades = cascades_;
+    // Nested cubes of voxels, and tiles of the sun's shadow map around them, follow the camera, if the scene
+    // has more than one.
     const bool keepsLight = request.lightSteps == LightSteps::none && hasLight();
-    if (readsVoxels && !keepsLight) cascades_.follow(eyeInVolume(request.camera, volume_));
-    const shared::FrameUniforms uniforms = uploadFrameUniforms(request.camera, lastCascades);
-    if (readsVoxels) voxels().prepare(scene_, cascades_);
+    if (!keepsLight) cascades_.follow(eyeInVolume(request.camera, volume_));
+    const shared::FrameUniforms uniforms = uploadFrameUniforms(request.camera, voxelizedCascades_);
+    if (readsVoxels) {
+        voxels().prepare(scene_, cascades_);
+        voxelizedCascades_ = cascades_;
+    }
 
     // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
     // light through them. The sun's map is drawn once for a state. For an output with a soft shadow, update()

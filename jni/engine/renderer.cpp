@@ -76,6 +76,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       emissionRange_(largestEmission(scene) / radianceUnit_),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       cascades_(settings.cascades, settings.grid),
+      voxelizedCascades_(cascades_),
       softLights_(std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), hasSize)),
       emitters_(compactEmitters(scene, finestVoxels(volume_, settings.cascades), settings, radianceUnit_)),
       scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,

@@ -188,9 +188,9 @@ class Renderer {
     std::optional<gl::Texture> environment_;  // Settings::environment as a cube map
     float radianceUnit_, emissionRange_;
     Volume volume_;
-    Cascades cascades_;                 // their places in the last frame that read voxels
-    bool softLights_;                   // a punctual light has a size of its own
-    std::optional<Emitters> emitters_;  // compact emitters; directional voxels only
+    Cascades cascades_, voxelizedCascades_;  // their places in this frame, and in the last one with voxels
+    bool softLights_;                        // a punctual light has a size of its own
+    std::optional<Emitters> emitters_;       // compact emitters; directional voxels only
     GpuScene scene_;
     std::optional<Pose> nextPose_;
     glm::vec2 pictureShift_{0.0F};

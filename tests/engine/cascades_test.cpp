@@ -119,6 +119,25 @@ TEST(CascadesOnAPlane, SeeTheWholeSkyAndNotThemselves) {
     EXPECT_NEAR(spread.max, spread.mean, 0.01 * spread.mean);
 }
 
+// Modes without voxels have the fine tiles of the sun's shadow map around the camera, too.
+TEST(CascadesOnAPlane, BringTheShadowMapAlongInEveryMode) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = emptyScene();
+    addQuad(scene, {0, 0, 0}, {0, 0, 24}, {24, 0, 0});
+    for (double x = 0.5; x < 24.0; x += 0.5)
+        addQuad(scene, {x, 0, 3}, {0.2, 0, 0}, {0, 1, 0});
+    scene = finished(std::move(scene));
+    const auto makeHere = [&] {
+        return makeRenderer(context, scene, lightFrom({1, 2, -1.5}), withCascades(96, 4));
+    };
+    const auto at = [](double x) { return lookAt({x, 2, 8}, {x, 0, 4}, 60); };
+    Renderer walking = makeHere(), fresh = makeHere();
+    for (const double x : {2.0, 20.0, 20.0, 20.0})
+        walking.render({{Output::shadowMap}, at(x)});
+    fresh.render({{Output::shadowMap}, at(20.0)});
+    expectSamePicture(walking.radiance(), fresh.radiance(), "after a jump");
+}
+
 class Walk {
   public:
     static constexpr int pixels = 96;
