@@ -12,6 +12,9 @@ vec3 punctualIrradiance(vec3 position, vec3 normal, float slackShare) {
 }
 #endif
 
+// An emitter's own voxels do not hide it.
+const float ownVoxels = 2.0;
+
 // The compact emitters around a ray, merged into one at their mean distance. Their light is not in the
 // voxels.
 struct EmitterHit {
@@ -43,14 +46,15 @@ EmitterHit emittersAlongRay(vec3 start, float grid, vec3 direction, float tangen
             share = min(disc * disc / (cone * cone), 1.0) *
                     (1.0 - smoothstep(abs(cone - disc), cone + disc, length(offset - along * direction)));
         } else {
-            // Overlap of a square as wide as the cone with the part's rectangle, in the plane of the
-            // rectangle.
+            // Overlap of the part's rectangle with a square in its plane that has the area of the cone there.
             vec3 normal = normalize(part.facing.xyz);
-            vec3 place = direction * (dot(offset, normal) / min(dot(direction, normal), -1e-3)) - offset;
+            float cosine = max(-dot(direction, normal), 1e-3), away = -dot(offset, normal) / cosine;
+            vec3 place = direction * away - offset;
+            float wide = 0.8862269 * max(away * tangent, 0.25 / grid) * inversesqrt(cosine);
             float halfSide = length(part.side.xyz), halfOther = 0.25 * length(part.facing.xyz) / halfSide;
             vec3 side = part.side.xyz / halfSide;
-            share = overlap(dot(place, side), halfSide, cone) *
-                    overlap(dot(place, cross(normal, side)), halfOther, cone);
+            share = overlap(dot(place, side), halfSide, wide) *
+                    overlap(dot(place, cross(normal, side)), halfOther, wide);
         }
         met.radiance += share * part.radiance.rgb;
         met.coverage += share;
@@ -65,6 +69,53 @@ EmitterHit emittersAlongRay(vec3 start, float grid, vec3 direction, float tangen
     return EmitterHit(vec3(0.0), 0.0, 0.0);
 }
 #endif
+
+// The start of rays from a pixel's surface.
+struct RayStart {
+    vec3 position;  // in voxels of the cascade
+    int cascade;
+};
+RayStart rayStartAt(vec3 position, vec3 normal) {
+    int cascade = lookUpCascade(position).cascade;
+    return RayStart(voxelsFromVolume(position, cascade) + normal * startHeight, cascade);
+}
+
+// The sum over the compact emitters of radiance, cosine, solid angle, and the density of GGX's mirror
+// directions at a surface: a few rays would find copies of a small emitter. A part is a small disc for a lobe
+// that is wider by its solid angle. The strongest part tells if the surface sees them.
+vec3 emittersInLobe(RayStart start, vec3 normal, vec3 toEye, float alpha) {
+    vec3 light = vec3(0.0);
+#ifdef VCT_EMITTERS
+    float grid = voxelsAlongVolume(start.cascade), most = 0.0, distanceToMost = 0.0;
+    vec3 origin = volumeFromVoxels(start.position, start.cascade), towardsMost = normal;
+    for (int i = 0; i < emitters.count.x; ++i) {
+        EmitterPartUniforms part = emitters.part[i];
+        vec3 offset = part.position.xyz - origin;
+        float away = length(offset);
+        vec3 towards = offset / away;
+        float cosLight = dot(normal, towards), seen = projectedArea(part, towards);
+        // An emitter closer than a voxel is probably the surface itself.
+        if (seen <= 0.0 || cosLight <= 0.0 || away * grid < 1.0) continue;
+        float solidAngle = seen / (away * away + 0.5 / 3.1415927 * seen);
+        vec3 facet = normalize(towards + toEye);
+        float cosine = max(dot(normal, facet), 0.0);
+        float alpha2 = min(alpha * alpha + 0.25 / 3.1415927 * solidAngle, 1.0);
+        float d = cosine * cosine * (alpha2 - 1.0) + 1.0;
+        float density = alpha2 * cosine / (4.0 * 3.1415927 * d * d * max(dot(toEye, facet), 1e-2));
+        vec3 added = density * solidAngle * cosLight * part.radiance.rgb;
+        light += added;
+        float brightness = max(added.r, max(added.g, added.b));
+        if (brightness <= most) continue;
+        most = brightness;
+        towardsMost = towards;
+        distanceToMost = (away - part.radiance.w) * grid;
+    }
+    if (most == 0.0) return vec3(0.0);
+    RayHit hit = traceRay(start.position, start.cascade, towardsMost, 2.0 * grid, 0.5, allGeometry);
+    if (hit.distance <= distanceToMost - ownVoxels) return vec3(0.0);
+#endif
+    return light;
+}
 
 // The radiance of a surface where a ray meets it, relative to E/pi. Its plane, albedo and emission are the
 // face's; its light is that of a pixel there. `position`: volume space.
@@ -96,28 +147,18 @@ vec3 lightAlongRay(vec3 start, int own, vec3 direction, float tangent, float dic
     else
         light =
             isSharp ? radianceAtHit(hit, origin + direction * (hit.distance / grid)) : faceRadiance(hit.id);
+    if (!isSharp) return light;
     EmitterHit emitter = emittersAlongRay(origin, grid, direction, tangent);
-    // The emitter's own voxels do not hide it.
-    const float ownVoxels = 2.0;
     if (emitter.coverage > 0.0 && hit.distance > emitter.distance - ownVoxels)
         light = mix(light, emitter.radiance / emitter.coverage, emitter.coverage);
     return min(light, 6e4);
 }
 
-// The start of rays from a pixel's surface.
-struct RayStart {
-    vec3 position;  // in voxels of the cascade
-    int cascade;
-};
-RayStart rayStartAt(vec3 position, vec3 normal) {
-    int cascade = lookUpCascade(position).cascade;
-    return RayStart(voxelsFromVolume(position, cascade) + normal * startHeight, cascade);
-}
-
 // The mean light from around the mirror direction at a surface at `position` (volume space), relative to
 // E/pi: rays to the mirror directions of microfacets, whose normals have the density of GGX (Walter et al.
-// 2007, eq. 35), weighted by the cosine. `turn`: 0..1, shifts the set of directions. A smooth surface takes
-// one ray, and looks up the light where it ends.
+// 2007, eq. 35), weighted by the cosine. A ray stands for the solid angle 1 / (rays * density), which is wide
+// where the density is low (Krivanek and Colbert 2008). `turn`: 0..1, shifts the set of directions. A smooth
+// surface takes one ray, and looks up the light where it ends.
 vec3 reflectedLight(vec3 position, vec3 normal, float roughness, int rays, vec2 turn) {
     float alpha = roughness * roughness;
     bool isSharp = roughness < 0.3;
@@ -129,16 +170,19 @@ vec3 reflectedLight(vec3 position, vec3 normal, float roughness, int rays, vec2 
     for (int i = 0; i < rays; ++i) {
         COUNT(VCT_REFLECTION_RAY);
         vec2 u = rays == 1 ? vec2(0.0) : fract(turn + float(i) * vec2(0.7548777, 0.5698403));
-        float cosine = sqrt((1.0 - u.x) / (1.0 + (alpha * alpha - 1.0) * u.x));
+        float narrowing = 1.0 + (alpha * alpha - 1.0) * u.x;
+        float cosine = sqrt((1.0 - u.x) / narrowing);
         float sine = sqrt(1.0 - cosine * cosine), azimuth = 6.2831853 * u.y;
-        vec3 direction = reflect(view, axes * vec3(sine * cos(azimuth), cosine, sine * sin(azimuth)));
+        vec3 facet = axes * vec3(sine * cos(azimuth), cosine, sine * sin(azimuth));
+        vec3 direction = reflect(view, facet);
         float weight = dot(direction, normal);
         if (weight <= 0.0) continue;
-        vec3 light =
-            lightAlongRay(start.position, start.cascade, direction, alpha / sqrt(float(rays)), 0.5, isSharp);
+        float tangent = 2.0 * alpha / narrowing * sqrt(-dot(view, facet) / (float(rays) * cosine));
+        vec3 light = lightAlongRay(start.position, start.cascade, direction, min(tangent, 1.0), 0.5, isSharp);
         sum += weight * vec4(light, 1.0);
     }
-    return sum.rgb / max(sum.a, 1e-4);
+    if (!isSharp) sum.rgb += float(rays) * emittersInLobe(start, normal, -view, alpha);
+    return min(sum.rgb / max(sum.a, 1e-4), 6e4);
 }
 
 // A shift of the directions for each pixel of a block of 2 x 2, so that neighbours together have an even set.
