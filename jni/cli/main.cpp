@@ -15,6 +15,7 @@
 #include "cli/guess.h"
 #include "cli/options.h"
 #include "core/files.h"
+#include "core/one_line.h"
 #include "vct/version.h"
 
 namespace {
@@ -58,7 +59,7 @@ std::string unknownCommand(const CLI::App& app, const std::vector<std::string>& 
     if (arguments.empty()) return "A command is required; " + list;
     if (arguments.front()[0] == '-')
         return "'" + arguments.front() + "' stands where a command or a scene is needed; " + list;
-    return "there is no command '" + arguments.front() + "'" +
+    return "there is no command '" + vct::oneLine(arguments.front()) + "'" +
            vct::cli::guessText(vct::cli::guesses(arguments.front(), names)) + "; " + list;
 }
 
@@ -129,8 +130,10 @@ int main(int argc, char** argv) {
     vct::cli::addInfo(app, exitCode);
     vct::cli::addShaders(app, exitCode);
     for (CLI::App* command : app.get_subcommands({}))
-        for (CLI::Option* option : command->get_options())
+        for (CLI::Option* option : command->get_options()) {
             if (option->get_type_name().rfind("FLOAT", 0) == 0) option->check(vct::cli::finite);
+            if (option->get_type_name().rfind("TEXT", 0) == 0) option->check(vct::cli::notEmpty);
+        }
     const std::vector<std::string> arguments = argumentsOf(app, argc, argv);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(),

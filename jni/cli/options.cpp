@@ -21,6 +21,10 @@ std::string finite(const std::string& text) {
                                                                           : "'" + text + "' is not a number";
 }
 
+std::string notEmpty(const std::string& text) {
+    return text.empty() ? "the value is empty" : "";
+}
+
 std::string positive(const std::string& text) {
     return finite(text).empty() && std::stod(text) > 0.0 ? "" : "'" + text + "' is not a number above 0";
 }

@@ -26,6 +26,7 @@ constexpr const char* presetHelp =
 // Checks of options whose value is a number. They return what is wrong with the text; empty if it is valid.
 // They are needed because CLI11 accepts NaN, infinity and numbers that no float holds.
 std::string finite(const std::string& text);
+std::string notEmpty(const std::string& text);
 std::string positive(const std::string& text);  // finite and above 0
 
 // Reads shaders from the folder in the environment variable VCT_SHADER_DIR, otherwise from the source tree

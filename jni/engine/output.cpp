@@ -21,7 +21,7 @@ const std::vector<Output>& allModes() {
 std::vector<Output> modesFromText(const std::string& text) {
     if (text == "all") return allModes();
     std::vector<Output> modes;
-    std::istringstream parts(text);
+    std::istringstream parts(text + ",");
     std::string part;
     while (std::getline(parts, part, ',')) {
         const auto named = std::find_if(allModes().begin(), allModes().end(), [&](Output mode) {
@@ -31,7 +31,6 @@ std::vector<Output> modesFromText(const std::string& text) {
             throw Error("'" + part + "' is not a mode; use " + modeNames + ", separated by commas");
         if (std::find(modes.begin(), modes.end(), *named) == modes.end()) modes.push_back(*named);
     }
-    if (modes.empty()) throw Error(std::string("no mode is given; use ") + modeNames);
     return modes;
 }
 

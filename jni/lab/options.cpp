@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -61,6 +62,7 @@ void setFromWords(const std::string& text, const NamedSetters& setters) {
         else
             settings.back() += " " + word;
     }
+    std::set<std::string> given;
     for (std::string& setting : settings) {
         setting.erase(setting.find_last_not_of(' ') + 1);
         const std::size_t equals = setting.find('=');
@@ -74,6 +76,8 @@ void setFromWords(const std::string& text, const NamedSetters& setters) {
             throw Error(command + ": unknown '" + setting + "'; use name=value with one of the names " +
                         names);
         }
+        if (!given.insert(setter->first).second)
+            throw Error(command + ": " + setter->first + " is given more than once; give it once");
         setter->second(setting.substr(equals + 1));
     }
 }

@@ -115,13 +115,27 @@ std::size_t checkedMarkCount(const GltfFile& file, const Chunks& chunks) {
     return marks;
 }
 
+// True if the first byte after a byte order mark and white space can begin an object or a list.
+bool beginsAsJson(const Bytes& bytes) {
+    const Bytes mark{0xEF, 0xBB, 0xBF};
+    const bool isMarked = bytes.size() >= 3 && std::equal(mark.begin(), mark.end(), bytes.begin());
+    const auto first = std::find_if(bytes.begin() + (isMarked ? 3 : 0), bytes.end(), [](unsigned char c) {
+        return c != ' ' && c != '\t' && c != '\n' && c != '\r';
+    });
+    return first != bytes.end() && (*first == '{' || *first == '[');
+}
+
 json parseJson(const GltfFile& file, const Chunks& chunks) {
     try {
         json document = json::parse(chunks.json, chunks.json + chunks.jsonSize);
         if (!document.is_object()) file.fail("its JSON is not an object");
         return document;
     } catch (const json::exception& error) {
-        file.fail("its JSON is damaged (" + asClause(error.what()) + ")");
+        // The message begins with the number of the exception in brackets.
+        const std::string text = error.what();
+        const std::size_t number = text.find("] ");
+        file.fail("its JSON is damaged (" +
+                  asClause(number == std::string::npos ? text : text.substr(number + 2)) + ")");
     }
 }
 
@@ -378,6 +392,8 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
         chunks = splitGlb(file, bytes);
     } else if (const ForeignFile foreign = foreignFile(path, bytes); !foreign.cause.empty()) {
         file.fail(foreign.cause, foreign.remedy);
+    } else if (!beginsAsJson(bytes)) {
+        file.fail("it is neither JSON (.gltf) nor binary glTF (.glb)", "check that it is the right file");
     }
 
     const std::size_t readingBytes = checkedMarkCount(file, chunks) * bytesPerJsonMark;

@@ -195,9 +195,13 @@ TEST(GltfErrors, DeepNodesAndDeepJsonAreRefused) {
 TEST(GltfErrors, FilesThatAreNotGltfAreRefused) {
     const Bytes nothing;
     expectError(loadError(nothing), "empty");
-    for (const char* text :
-         {"g", "glTF", "{", "[]", "null", "{}", "\x89PNG", "{\"asset\":{\"version\":\"2.0\"}}"})
+    for (const char* text : {"glTF", "[]", "{}", "{\"asset\":{\"version\":\"2.0\"}}"})
         expectError(loadError(bytesOf(text)), "");
+    for (const char* text : {"g", "null", " \n", "\x89PNG",
+                             "\xEF\xBB\xBF"
+                             "7"})
+        expectError(loadError(bytesOf(text)), "it is neither JSON (.gltf) nor binary glTF (.glb)");
+    expectError(loadError(bytesOf("\xEF\xBB\xBF {")), "its JSON is damaged (parse error at line 1");
     Bytes newer = completeFile(encodePng(8)).glb();
     newer[4] = 3;
     expectError(loadError(newer), "version 3");
