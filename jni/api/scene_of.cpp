@@ -282,6 +282,10 @@ Scene sceneOf(const SceneDescription& description) {
     constexpr std::size_t mostInstances = std::size_t{1} << 20;
     require(description.maxInstances <= mostInstances,
             "SceneDescription::maxInstances must be at most " + std::to_string(mostInstances));
+    require(description.maxInstances == 0 || description.maxInstances >= description.instances.size(),
+            "SceneDescription::maxInstances is " + std::to_string(description.maxInstances) +
+                ", and the scene has " + std::to_string(description.instances.size()) +
+                " instances; count them too");
     const std::size_t room = std::max(description.maxInstances, description.instances.size());
     scene.instanceRoom = room - description.instances.size();
     scene.materialsChange = true;

@@ -489,11 +489,36 @@ Progress GlobalIllumination::lightProgress() const {
     return {"light", steps.done, steps.total};
 }
 
+namespace {
+
+void checkBindings(const std::string& function, const LookUpBindings& bindings) {
+    struct Places {
+        const char* kind;
+        std::uint64_t first, count;
+        GLenum limit;
+    };
+    for (const Places& places :
+         {Places{"texture units", bindings.firstTextureUnit, 7, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS},
+          Places{"uniform buffers", bindings.firstUniformBuffer, 2, GL_MAX_UNIFORM_BUFFER_BINDINGS},
+          Places{"storage buffers", bindings.storageBuffer, 1, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS}}) {
+        GLint limit = 0;
+        gl::GetIntegerv(places.limit, &limit);
+        if (places.first + places.count > static_cast<std::uint64_t>(limit))
+            throw Error(function + ": LookUpBindings names " + places.kind + " " +
+                        std::to_string(places.first) + " to " +
+                        std::to_string(places.first + places.count - 1) + ", and the driver has " +
+                        std::to_string(limit) + ", counted from 0; name lower ones");
+    }
+}
+
+}  // namespace
+
 std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const {
     Implementation& implementation = ready(implementation_, "lookUpGlsl");
     const Renderer& renderer = *implementation.renderer;
     if (renderer.settings().voxels != Voxels::directional)
         throw Error("lookUpGlsl: the preset thesis has no look-up; use mobile or quality");
+    checkBindings("lookUpGlsl", bindings);
     std::vector<std::string> defines = renderer.lookUpDefines();
     unsigned unit = bindings.firstTextureUnit, buffer = bindings.firstUniformBuffer;
     for (const char* name : {"VOXELS", "DYNAMIC_VOXELS", "BLOCKS", "IRRADIANCE", "BRICKS", "WALLS", "SKY"})
@@ -507,6 +532,7 @@ std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const
 void GlobalIllumination::bindLookUp(const LookUpBindings& bindings) const {
     Implementation& implementation = ready(implementation_, "bindLookUp");
     const LookUpInputs inputs = implementation.renderer->lookUpInputs();
+    checkBindings("bindLookUp", bindings);
     GLint activeUnit = 0, generic = 0, storage = 0;
     gl::GetIntegerv(GL_ACTIVE_TEXTURE, &activeUnit);
     gl::GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &generic);
