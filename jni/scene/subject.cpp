@@ -8,7 +8,8 @@ namespace vct {
 namespace {
 
 // Largest height of a ground, in shares of its larger side, and largest height of its top above the scene's
-// lowest point, in shares of the scene's height: objects may sink in a little.
+// lowest point, in shares of the scene's height: objects may sink in a little. Water may be as high as a
+// ground of its size may be thick, above a bed that only the water hides.
 constexpr double flatness = 0.02, lowness = 0.05;
 // A ground is at least so many times as wide as what stands on it. The floor of a room is as wide as its
 // walls.
@@ -40,8 +41,9 @@ Subject subjectOf(const Scene& scene) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Bounds bounds = boundsOf(scene, scene.instances[i]);
         const glm::dvec3 size = bounds.max - bounds.min;
-        isGround[i] = !scene.instances[i].moves() && size.y <= flatness * std::max(size.x, size.z) &&
-                      bounds.max.y <= highest;
+        const double maxThickness = flatness * std::max(size.x, size.z);
+        isGround[i] = !scene.instances[i].moves() && size.y <= maxThickness &&
+                      bounds.max.y <= std::max(highest, all.min.y + maxThickness);
         Bounds& sum = isGround[i] ? ground : others;
         sum = united(sum, bounds);
     }

@@ -292,6 +292,25 @@ TEST(Framing, AGroundIsNotTheSubject) {
     EXPECT_TRUE(subjectOf(scene).hasGround);
 }
 
+// A rock of 2 m whose lower half is in water of 100 m.
+TEST(Framing, WaterIsNotTheSubject) {
+    Scene rock = emptyScene();
+    addBox(rock, {2, 2, 2});
+    rock = finished(std::move(rock));
+    Scene scene = rock;
+    addQuad(scene, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100});
+    scene = finished(std::move(scene));
+    EXPECT_TRUE(subjectOf(scene).hasGround);
+    EXPECT_LT(glm::distance(glm::dvec3(frameScene(rock, 1.0).worldFromCamera[3]),
+                            glm::dvec3(frameScene(scene, 1.0).worldFromCamera[3])),
+              0.02);
+    // A table top of 3 m on a leg is no ground.
+    Scene table = emptyScene();
+    addBox(table, {0.2, 0.7, 0.2}, {0, 0.35, 0});
+    addQuad(table, {-1.5, 0.7, 1.5}, {3, 0, 0}, {0, 0, -3});
+    EXPECT_FALSE(subjectOf(finished(std::move(table))).hasGround);
+}
+
 TEST(Framing, ProductsAreSmallOrOnAGround) {
     Scene scene = emptyScene();
     addBox(scene, {1.5, 0.9, 0.5}, {0, 0.45, 0});
