@@ -74,13 +74,25 @@ if [[ ${#missing[@]} -gt 0 ]]; then
 elif [[ "$(id -u)" -ne 0 ]] && ! command -v sudo >/dev/null; then
     exit 0  # only optional packages can be missing
 fi
-for package in "${optional[@]}"; do
-    installed "$package" && continue
-    # All together, because the drivers must have the same version.
-    if installable "${missing[@]}" "$package"; then
-        missing+=("$package")
-    elif [[ ${#missing[@]} -gt 0 ]]; then
-        say "$package is not available here: the tests that need it will be skipped"
+# Together with the required ones, because the drivers must have the same version.
+add_optional() {
+    local package wanted=()
+    for package in "${optional[@]}"; do
+        installed "$package" || wanted+=("$package")
+    done
+    [[ ${#wanted[@]} -gt 0 ]] || return 0
+    # One by one takes seconds for each package.
+    if installable "${missing[@]}" "${wanted[@]}"; then
+        missing+=("${wanted[@]}")
+        return 0
     fi
-done
+    for package in "${wanted[@]}"; do
+        if installable "${missing[@]}" "$package"; then
+            missing+=("$package")
+        elif [[ ${#missing[@]} -gt 0 ]]; then
+            say "$package is not available here: the tests that need it will be skipped"
+        fi
+    done
+}
+with_progress "setup: choosing packages" add_optional
 [[ ${#missing[@]} -eq 0 ]] || install_packages "${missing[@]}"
