@@ -42,7 +42,7 @@ void Renderer::render(const RenderRequest& request) {
 
     // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
     // light through them. The sun's map is drawn once for a state. For an output with a soft shadow, update()
-    // also computes the moments that the shadow is filtered from.
+    // also draws its coarser levels.
     DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Output output : request.outputs)
         if (reads(output).shadowMap())

@@ -341,7 +341,6 @@ Resources Renderer::resources() const {
     if (environment_) add(resources, *environment_);
     if (emitters_) add(resources, emitters_->uniforms());
     if (shadowMap_) add(resources, shadowMap_->texture());
-    if (shadowMap_ && shadowMap_->moments() != nullptr) add(resources, *shadowMap_->moments());
     if (punctualLights_) add(resources, punctualLights_->resources());
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());

@@ -58,7 +58,6 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.filterTaps = 4;
         return settings;
     }
     if (name == "quality") {
@@ -98,8 +97,6 @@ void validate(const Settings& settings) {
             "the cone angle (the sun's angular diameter) must be between 0.1 and 170 degrees");
     require(settings.lightRadius >= 0.0F && std::isfinite(settings.lightRadius),
             "the radius of lights must be 0 or above");
-    require(settings.filterTaps >= 4 && settings.filterTaps % 4 == 0,
-            "filterTaps (samples of the soft shadow) must be a multiple of 4");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
             "lightFrames must be between 1 and 1000");
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,

@@ -69,7 +69,6 @@ struct Settings {
     float shadowConeAngleDeg = 5.0F;  // full opening angle of the sun's disc
     float lightRadius = 0.0F;         // metres, of point and spot lights in mode 5; 0: hard shadows
     Shadow shadow = Shadow::cone;     // mode 5
-    int filterTaps = 8;               // samples per penumbra of Shadow::softMap; a multiple of 4
     float aoDistance = 0.045F;        // relative to the volume's side
     glm::vec3 skyRadiance{0.0F};      // light from outside of the volume; the scene's radiance unit
     // A sky that depends on direction, in the scene's radiance unit. It replaces skyRadiance.

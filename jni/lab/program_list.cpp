@@ -33,11 +33,11 @@ bool possible(unsigned features) {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        packedMipmapperProgram(), packedClearProgram(),   voxelViewProgram(),
+        packedMipmapperProgram(), packedClearProgram(),  voxelViewProgram(),
 
-        listBlocksProgram(),      listFacesProgram(),     clearBlocksProgram(),       resetListsProgram(),
-        markStaticProgram(),      shadowMomentsProgram(), nextShadowMomentsProgram(), deformProgram(),
-        copyVerticesProgram(),    sortAxesProgram()};
+        listBlocksProgram(),      listFacesProgram(),    clearBlocksProgram(),
+        resetListsProgram(),      markStaticProgram(),   shadowLevelProgram(),
+        deformProgram(),          copyVerticesProgram(), sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
@@ -135,10 +135,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
     if (read.shadowMap())
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
-    if (read.softShadow && settings.shadow == Shadow::softMap) {
-        add(Step::shadowMap, shadowMomentsProgram());
-        add(Step::shadowMap, nextShadowMomentsProgram());
-    }
+    if (read.softShadow && settings.shadow == Shadow::softMap) add(Step::shadowMap, shadowLevelProgram());
     for (unsigned f : features.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     if (read.voxels && settings.voxels == Voxels::directional) {

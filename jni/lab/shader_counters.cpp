@@ -26,8 +26,7 @@ struct Stage {
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> all{
         {"passes/shadow_map.frag", VCT_COUNTER_SHADOW_MAP, {}},
-        {"passes/shadow_moments.frag", VCT_COUNTER_SHADOW_MOMENTS, {}},
-        {"passes/shadow_moments_next.frag", VCT_COUNTER_SHADOW_MOMENTS_NEXT, {}},
+        {"passes/shadow_level.frag", VCT_COUNTER_SHADOW_LEVEL, {}},
         {"passes/g_buffer.frag", VCT_COUNTER_G_BUFFER, {}},
         {"packed/clear.comp", VCT_COUNTER_SPARSE_CLEAR, {{"voxel", 0, VCT_COUNTER_SPARSE_CLEAR_VOXEL}}},
         {"packed/voxelizer.frag", VCT_COUNTER_VOXELIZER, {}},

@@ -65,7 +65,6 @@ ordered_json settingsJson(const TimingsReport& report, const gl::Capabilities& c
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"light_radius", s.lightRadius},
             {"shadow", shadowName(s.shadow)},
-            {"filter_taps", s.filterTaps},
             {"sky", skyText(s)},
             {"ao_distance", s.aoDistance},
             {"specular", specularName(s.specular)},

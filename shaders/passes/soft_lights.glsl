@@ -1,4 +1,5 @@
-// Soft shadows of punctual lights from their maps. These maps have no moments, so the filter compares texels.
+// Soft shadows of punctual lights from their maps. These maps have no coarser levels, so the filter compares
+// single texels.
 // A point or spot light is a sphere, seen as a disc from the receiver; a directional light is a disc in the
 // sky, as the sun is. Taps are positions beside the receiver. Each is looked up in the map that shows it, so
 // that penumbrae continue from one face of a cube to the next.

@@ -111,8 +111,7 @@ using glm::vec4;
 #define VCT_COUNTER_GATHER_FACE 38
 #define VCT_COUNTER_FILL_BRICKS_TEXEL 39
 #define VCT_COUNTER_IRRADIANCE_NEARBY 40
-#define VCT_COUNTER_SHADOW_MOMENTS 41
-#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 42
+#define VCT_COUNTER_SHADOW_LEVEL 41
 #define VCT_COUNTER_EMITTERS 43
 #define VCT_COUNTER_EMITTERS_FACE 44
 #define VCT_COUNTER_EMITTERS_RAY 45
@@ -209,7 +208,6 @@ using glm::vec4;
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
-#define VCT_TEX_SHADOW_MOMENTS 15
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
@@ -232,7 +230,7 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Locations of uniforms outside of blocks.
-#define VCT_UNIFORM_LEVEL 0             // mip level of a pass over a list
+#define VCT_UNIFORM_LEVEL 0             // mip level that a pass computes
 #define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2          // the cascades whose static geometry has changed, a bit for each

@@ -141,18 +141,22 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
                      contact);
 }
 
-// True if no part of the sun can be visible: shadowFootprintLight() <= 0 for a footprint that is known, of
-// the sun's map. `farthest`: maximum of `four.above`.
-bool isHardShadow(ShadowFootprint four, float farthest, vec3 receiver, vec2 size, vec2 slope, float slack) {
+// True if no part of the sun can be visible: shadowFootprintLight() <= 0, but with fewer branches, for the
+// sun's map. `nearest`: the smallest depth of the five texels, relative to the receiver's plane.
+bool isHardShadow(vec3 receiver, vec2 size, vec2 slope, float slack, out float nearest) {
+    ShadowFootprint four = shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, size)),
+                                           receiver, size, slope, slack);
+    vec2 farther = max(four.above.xy, four.above.zw);
+    float farthest = max(farther.x, farther.y);
     bool hasBlockers = four.closest < -slack;
-    vec4 blocked = vec4(lessThan(four.above, vec4(-slack)));
-    // The signs, as in tieBreakTexel().
-    vec2 aside =
-        clamp(hasBlockers ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope * 1e12, -1.0, 1.0);
-    vec2 next = mix(four.corner + 0.5 + 1.5 * aside, floor(four.texel + 0.5), equal(aside, vec2(0.0)));
-    float depth = textureLod(shadowDepth, (next + 0.5) / size, 0.0).r;
-    float above = depth - receiver.z - dot(slope, next - four.texel);
-    bool isCrease = hasBlockers ? above > slack : farthest >= slack && above < -slack;
+    // The position is that of tieBreakTexel().
+    vec2 difference = four.blocked.wx - four.blocked.yz;
+    vec2 aside = hasBlockers ? vec2(difference.x + difference.y, difference.x - difference.y) : slope * 1e12;
+    vec2 next = four.corner + floor(1.0 + 1.5 * clamp(aside, -1.0, 1.0));
+    float nextAbove =
+        textureLod(shadowDepth, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - four.texel);
+    nearest = min(four.closest, nextAbove);
+    bool isCrease = hasBlockers ? nextAbove > slack : farthest >= slack && nextAbove < -slack;
     return farthest < -slack || isCrease;
 }
 

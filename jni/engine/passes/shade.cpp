@@ -27,8 +27,7 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
     if (punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (punctual && read.softShadow && (settings.lightRadius > 0.0F || lights.softPunctual))
         defines.emplace_back("VCT_SOFT_LIGHTS");
-    if (read.softShadow && settings.shadow == Shadow::softMap)
-        append({"VCT_SOFT_SHADOW", "VCT_FILTER_TAPS " + std::to_string(settings.filterTaps)});
+    if (read.softShadow && settings.shadow == Shadow::softMap) defines.emplace_back("VCT_SOFT_SHADOW");
     append(lightDefines({false, lights.environment, false}));  // face irradiance includes emitters
     const bool gathers = read.ambientVisibility || read.indirectLight;
     if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_FACE_IRRADIANCE");

@@ -20,21 +20,20 @@ gl::ProgramDescription shadowMapProgram(unsigned features) {
             featureDefines(features, holeFeatures)};
 }
 
-gl::ProgramDescription shadowMomentsProgram() {
-    return {"shadow_moments", {"passes/full_screen.vert", "passes/shadow_moments.frag"}, {}};
-}
-
-gl::ProgramDescription nextShadowMomentsProgram() {
-    return {"shadow_moments_next", {"passes/full_screen.vert", "passes/shadow_moments_next.frag"}, {}};
+gl::ProgramDescription shadowLevelProgram() {
+    return {"shadow_level", {"passes/full_screen.vert", "passes/shadow_level.frag"}, {}};
 }
 
 namespace {
 
-// Number of mip levels of the moments. The coarsest one has at least 16 texels along a side of a map.
-int momentLevels(int mapSize) {
+// Number of levels of a map for soft shadows. The coarsest one has at least 16 texels along a side, and each
+// has half as many as the finer one, so that no level mixes the tiles of cascades.
+int levelsOf(int mapSize) {
     int levels = 1;
-    while (mapSize >> (levels + 1) >= 16)
+    while (mapSize % 2 == 0 && mapSize >= 32) {
+        mapSize /= 2;
         ++levels;
+    }
     return levels;
 }
 
@@ -53,7 +52,6 @@ void ShadowTextures::bind() const {
         depth->bind(VCT_TEX_SHADOW_DEPTH);
         plainDepth->bind(VCT_TEX_SHADOW_DEPTH);
     }
-    if (moments != nullptr) moments->bind(VCT_TEX_SHADOW_MOMENTS);
 }
 
 ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft,
@@ -65,19 +63,15 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
       // 16 bits are enough for the soft shadow, which tolerates their rounding (depthRounding in
       // shaders/shared/shadow.glsl). To the hard one they would add an error besides the thesis's bias.
       depth_(gl::Texture::make2d("shadow map", soft ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
-                                 tiles_ * size, tiles_ * size)),
+                                 tiles_ * size, tiles_ * size, soft ? levelsOf(size) : 1)),
       framebuffer_("shadow map", {}, &depth_) {
-    // With a comparison, the linear filter averages four comparisons.
-    depth_.setFilter(GL_LINEAR, GL_LINEAR);
+    // With a comparison, the linear filter averages comparisons of four texels of each level.
+    depth_.setFilter(soft ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
     depth_.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     depth_.setParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    if (!soft) return;
-    moments_ = gl::Texture::make2d("shadow map's moments", GL_RG16F, std::max(tiles_ * size / 2, 1),
-                                   std::max(tiles_ * size / 2, 1), momentLevels(size));
-    moments_->setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-    for (int level = 0; level < moments_->levels(); ++level)
-        momentTargets_.emplace_back("shadow map's moments, level " + std::to_string(level),
-                                    std::vector<const gl::Texture*>{&*moments_}, nullptr, level);
+    for (int level = 1; level < depth_.levels(); ++level)
+        levels_.emplace_back("shadow map, level " + std::to_string(level), std::vector<const gl::Texture*>{},
+                             &depth_, level);
 }
 
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
@@ -93,13 +87,13 @@ ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, c
             else
                 draw(scene, uniforms);
         });
-        momentsAreDrawn_ = false;
+        levelsAreDrawn_ = false;
         cachedFor_ = now;
         cascades_ = cascades;
     }
-    if (reads(output).softShadow && moments_ && !std::exchange(momentsAreDrawn_, true))
-        timer.time(Step::shadowMap, [&] { drawMoments(); });
-    return {&depth_, moments(), &plainDepth_};
+    if (reads(output).softShadow && !levels_.empty() && !std::exchange(levelsAreDrawn_, true))
+        timer.time(Step::shadowMap, [&] { drawLevels(); });
+    return {&depth_, &plainDepth_};
 }
 
 void ShadowMap::draw(const GpuScene& scene, const shared::FrameUniforms& uniforms) {
@@ -134,27 +128,23 @@ void ShadowMap::updateTiles(const GpuScene& scene, const shared::FrameUniforms& 
     }
 }
 
-void ShadowMap::drawMoments() {
-    const gl::DebugGroup group("shadow map's moments");
-    if (!nextMomentsProgram_) {
-        momentsProgram_.emplace(shaders_, shadowMomentsProgram());
-        nextMomentsProgram_.emplace(shaders_, nextShadowMomentsProgram());
-    }
+void ShadowMap::drawLevels() {
+    const gl::DebugGroup group("shadow map, coarser levels");
+    if (!levelProgram_) levelProgram_.emplace(shaders_, shadowLevelProgram());
     depth_.bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
-    moments_->bind(VCT_TEX_SHADOW_MOMENTS);
     noVertices_.bind();
-    momentsProgram_->use();
-    for (int level = 0; level < moments_->levels(); ++level) {
-        if (level == 1) nextMomentsProgram_->use();
+    levelProgram_->use();
+    for (int level = 1; level < depth_.levels(); ++level) {
         // The shader may sample only the level below the one that is drawn to.
         for (const GLenum limit : {GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL})
-            moments_->setParameter(limit, std::max(level - 1, 0));
-        const gl::RenderPass pass(momentTargets_[static_cast<std::size_t>(level)], gl::Load::invalidate);
+            depth_.setParameter(limit, level - 1);
+        gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+        const gl::RenderPass pass(levels_[static_cast<std::size_t>(level - 1)]);
         gl::DrawArrays(GL_TRIANGLES, 0, 3);
     }
-    moments_->setParameter(GL_TEXTURE_BASE_LEVEL, 0);
-    moments_->setParameter(GL_TEXTURE_MAX_LEVEL, moments_->levels() - 1);
+    depth_.setParameter(GL_TEXTURE_BASE_LEVEL, 0);
+    depth_.setParameter(GL_TEXTURE_MAX_LEVEL, depth_.levels() - 1);
 }
 
 }  // namespace vct

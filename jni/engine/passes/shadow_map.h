@@ -1,4 +1,4 @@
-// The sun's shadow map (thesis 4.2), and its moments for the soft shadow.
+// The sun's shadow map (thesis 4.2), and its coarser levels for the soft shadow.
 #pragma once
 
 #include <optional>
@@ -16,15 +16,13 @@
 namespace vct {
 
 gl::ProgramDescription shadowMapProgram(unsigned features);
-gl::ProgramDescription shadowMomentsProgram();
-gl::ProgramDescription nextShadowMomentsProgram();
+gl::ProgramDescription shadowLevelProgram();
 
 struct ShadowTextures {
     const gl::Texture* depth = nullptr;            // compare function LEQUAL, linear filter
-    const gl::Texture* moments = nullptr;          // shaders/shared/moments.glsl; null without a soft shadow
-    const gl::PlainSampler* plainDepth = nullptr;  // reads `depth` without comparison
+    const gl::PlainSampler* plainDepth = nullptr;  // reads the finest level of `depth` without comparison
 
-    // Binds the textures that are not null.
+    // Binds the textures if they are not null.
     void bind() const;
 };
 
@@ -35,7 +33,7 @@ class ShadowMap {
               int cascades = 1);
 
     // Draws the map if the state differs from the one that it was drawn for, or if `forceRebuild` is set.
-    // Draws the moments if `output` has a soft shadow.
+    // Draws the coarser levels if `output` has a soft shadow.
     ShadowTextures update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
                           const shared::FrameUniforms& uniforms, Output output, bool forceRebuild,
                           StepTimer& timer);
@@ -43,7 +41,6 @@ class ShadowMap {
     void invalidate() { cachedFor_.reset(); }
 
     const gl::Texture& texture() const { return depth_; }
-    const gl::Texture* moments() const { return moments_ ? &*moments_ : nullptr; }
 
   private:
     void draw(const GpuScene& scene, const shared::FrameUniforms& uniforms);
@@ -51,21 +48,20 @@ class ShadowMap {
     // Draws the tiles whose cascades are not at cascades_, and those that show a part of the `changed` boxes.
     void updateTiles(const GpuScene& scene, const shared::FrameUniforms& uniforms, const Cascades& cascades,
                      const std::vector<Bounds>& changed);
-    void drawMoments();
+    void drawLevels();
 
     gl::ShaderLibrary shaders_;
     int size_, tiles_;
     MaterialPrograms programs_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
-    std::optional<gl::Texture> moments_;
-    std::vector<gl::Framebuffer> momentTargets_;
-    std::optional<gl::Program> momentsProgram_, nextMomentsProgram_;
+    std::vector<gl::Framebuffer> levels_;  // the coarser ones
+    std::optional<gl::Program> levelProgram_;
     gl::PlainSampler plainDepth_;
     gl::VertexArray noVertices_;
     std::optional<SceneState> cachedFor_;  // the state that the map was drawn for, if it is valid
     std::optional<Cascades> cascades_;     // their places then
-    bool momentsAreDrawn_ = false;
+    bool levelsAreDrawn_ = false;
 };
 
 }  // namespace vct
