@@ -1,6 +1,7 @@
 // The mean of a face and its neighbours along one of the two axes across the face, the first half of the
-// smoothing in a window of 5 x 5 faces (directional/smooth.comp). The weights are 1/2, 1, 1, 1 and 1/2. The
-// including shader reads the neighbours: besideMean().
+// smoothing in a window (directional/smooth.comp). Of a mean over the cached rays the window has 5 x 5 faces,
+// with the weights 1/2, 1, 1, 1 and 1/2 along an axis; of a refined mean, which is less noisy, 3 x 3 faces
+// with 1/2, 1 and 1/2. The including shader reads the neighbours: besideMean().
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
@@ -13,6 +14,15 @@ struct WeightedMean {
     float weight;
 };
 WeightedMean besideMean(uint id);
+
+bool isRefining() {
+    return lightStep.refiningWeight > 0.0;
+}
+// The mean that the window smooths: over the cached rays, or over those of the present refinement.
+vec4 unsmoothedMean(uint id) {
+    vec4 now = faceMean(id, VCT_MEAN_NOW);
+    return isRefining() ? max(now + faceMean(id, VCT_MEAN_GAIN), 0.0) : now;
+}
 
 // The voxels beside a face, along an axis across it.
 struct Row {
@@ -49,11 +59,12 @@ WeightedMean meanAlong(ListedFace listed, uint id, vec2 along) {
     bool isBehind = false;
     for (int i = 0; i < 4; ++i) {
         int steps = 1 + (i & 1), aside = i < 2 ? -steps : steps;
+        if (isRefining() && steps == 2) continue;
         isBehind = steps == 2 && isBehind || cellBeside(row, aside, above, -1) != 0u;
         uint cell = cellBeside(row, aside, 0, listed.face);
         if (isBehind || !hasFace(cell, listed.face)) continue;
         WeightedMean beside = besideMean(faceId(cell, listed.face));
-        float weight = beside.weight / float(steps);
+        float weight = beside.weight / float(isRefining() ? 2 : steps);
         sum.mean += weight * beside.mean;
         sum.weight += weight;
     }

@@ -8,8 +8,9 @@
 // directional/smooth_rows.comp takes the mean along the first axis across the face, and this pass the mean of
 // those along the second.
 //
-// The refined mean of a face is neither noisy nor blurred, but it is of an earlier light. What is shown is
-// the smooth mean, and the difference between the two as it was, in proportion if the light has become less.
+// The refined mean of a face is of many more rays, which leave the spots of small bright surfaces; the
+// smaller window removes these. It is of an earlier light. What is shown is the smooth mean over the cached
+// rays, and the difference between the two as it was, in proportion if the light has become less.
 #include "directional/beside_faces.glsl"
 #include "directional/visited.glsl"
 
@@ -44,7 +45,9 @@ void main() {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        vec4 now = faceMean(id, VCT_MEAN_NOW), smoothNow = windowMean(listed, id, now);
+        vec4 window = windowMean(listed, id, unsmoothedMean(id));
+        // The mean over the cached rays does not change in a refinement.
+        vec4 smoothNow = isRefining() ? faceMean(id, VCT_MEAN_SMOOTH) : window;
         if (lightStep.interrupts != 0u) {
             // The light that is shown in the middle of a refinement becomes the refined mean.
             storeFaceMean(id, VCT_MEAN_REFINED, faceMean(id, VCT_MEAN_SHOWN));
@@ -53,10 +56,7 @@ void main() {
         vec4 before = faceMean(id, VCT_MEAN_SHOWN);
         vec4 known = faceMean(id, VCT_MEAN_KNOWN), refined = faceMean(id, VCT_MEAN_REFINED);
         vec4 shown = corrected(smoothNow, known, refined);
-        if (lightStep.refiningWeight > 0.0) {
-            vec4 next = max(now + faceMean(id, VCT_MEAN_GAIN), 0.0);
-            shown = mix(shown, next, lightStep.refiningWeight);
-        }
+        if (isRefining()) shown = mix(shown, window, lightStep.refiningWeight);
         // A face that has taken over its light shows that until it has traced rays of its own.
         FaceSight sight = faceSight(id);
         if (before.rgb != vec3(0.0))

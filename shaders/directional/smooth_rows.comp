@@ -7,7 +7,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 // Rays inside of a solid see no light.
 WeightedMean besideMean(uint id) {
-    return WeightedMean(faceMean(id, VCT_MEAN_NOW), isHidden(id) ? 0.0 : 1.0);
+    return WeightedMean(unsmoothedMean(id), isHidden(id) ? 0.0 : 1.0);
 }
 
 void main() {
