@@ -33,11 +33,11 @@ bool possible(unsigned features) {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        packedMipmapperProgram(), packedClearProgram(),  voxelViewProgram(),
+        packedMipmapperProgram(), packedClearProgram(), voxelViewProgram(),
 
-        listBlocksProgram(),      listFacesProgram(),    clearBlocksProgram(),
-        resetListsProgram(),      markStaticProgram(),   shadowLevelProgram(),
-        deformProgram(),          copyVerticesProgram(), sortAxesProgram()};
+        listBlocksProgram(),      listFreeProgram(),    listFacesProgram(),   clearBlocksProgram(),
+        resetListsProgram(),      markStaticProgram(),  shadowLevelProgram(), deformProgram(),
+        copyVerticesProgram(),    sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
@@ -146,6 +146,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         if (settings.cascades > 1) {
             add(Step::voxelize, unlistStaticProgram(emission), false);
             add(Step::voxelize, scrollProgram(emission), false);
+            add(Step::voxelize, listFreeProgram(), false);
             add(Step::voxelize, listBlocksProgram(), false);
         }
         for (unsigned f : features.materialFeatures) {

@@ -89,6 +89,7 @@ const std::vector<Stage>& stages() {
          VCT_COUNTER_CARRY_HITS,
          {{"face", 0, VCT_COUNTER_CARRY_HITS_FACE}, {"four hits", 1, VCT_COUNTER_CARRY_HITS_FOUR, true}}},
         {"directional/list_blocks.comp", VCT_COUNTER_LIST_BLOCKS, {}},
+        {"directional/list_free.comp", VCT_COUNTER_LIST_FREE, {{"word", 0, VCT_COUNTER_LIST_FREE_WORD}}},
         {"directional/forward_hits.comp",
          VCT_COUNTER_FORWARD_HITS,
          {{"face", 0, VCT_COUNTER_FORWARD_HITS_FACE}, {"four hits", 1, VCT_COUNTER_FORWARD_HITS_FOUR, true}}},

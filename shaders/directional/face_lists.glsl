@@ -80,12 +80,14 @@ uint bitsOfIds(uint first, uint count, uint inWord) {
 }
 const uint noIds = 0xFFFFFFFFu;
 #if VCT_CASCADES > 1
-// Takes `count` successive free ids, 1 to 6, and returns the first; noIds if a search finds none.
+// Takes `count` successive free ids, 1 to 6, and returns the first; noIds if a search finds none. The words
+// of bits in which ids are free are listed where the faces that light steps visit will be (list_free.comp).
 uint takeFreeIds(uint count) {
     const uint mostWords = 512u;  // of a search
-    uint words = commands[0].faceCapacity / 32u, start = atomicAdd(searchedWords, 1u);
+    uint words = faceCount(uint(VCT_LIST_VISITED)), start = atomicAdd(takenIds, count);
     for (uint n = 0u; n < min(words, mostWords); ++n) {
-        uint word = (start + n) % words, at = commands[0].firstMask + word, free = faceData[at];
+        uint word = faceData[commands[VCT_LIST_VISITED].firstFace + (start + n) % words];
+        uint at = commands[0].firstMask + word, free = faceData[at];
         // Each failed attempt means that another invocation has taken bits of the word.
         for (int attempt = 0; attempt < 32; ++attempt) {
             uint firsts = free;

@@ -17,9 +17,9 @@ void main() {
     barrier();
     if (list == 0u) {
         dynamicList = nextDynamic;
-        if (withStatic != 0u) unplacedFaces = 0u;
+        if (withStatic != 0u) unplacedFaces = unusedIds = takenIds = 0u;
     }
-    if (list >= uint(VCT_LIST_DYNAMIC) && list != nextDynamic) return;
+    if (list == (nextDynamic ^ 1u)) return;
     if (withStatic != 0u) {
         commands[list].staticVoxels = 0u;
         if (list != 0u) commands[list].staticFaces = 0u;

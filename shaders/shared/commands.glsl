@@ -8,7 +8,8 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     uint blockedRays;
     uint mostBlockedRays;
     uint unplacedFaces;
-    uint searchedWords;
+    uint unusedIds;
+    uint takenIds;
     uint fullBricks;
     uint flatBricks;
 };

@@ -184,7 +184,9 @@ using glm::vec4;
 #define VCT_COUNTER_FORWARD_HITS_FACE 130
 #define VCT_COUNTER_FORWARD_HITS_FOUR 131
 #define VCT_COUNTER_PLACE_BRICKS_ASIDE 132
-#define VCT_COUNTER_COUNT 133
+#define VCT_COUNTER_LIST_FREE 133
+#define VCT_COUNTER_LIST_FREE_WORD 134
+#define VCT_COUNTER_COUNT 135
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -459,7 +461,8 @@ struct CommandLists {
     uint blockedRays;  // cached rays that moving objects block, so far in the step (directional/block.comp)
     uint mostBlockedRays;  // the largest number in a step, also of those that did not fit
     uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
-    uint searchedWords;    // searches for free ids so far
+    uint unusedIds;        // static ids without a face after the cascades moved last
+    uint takenIds;         // those of them that faces took
     uint fullBricks;       // bricks that were placed last, also those that did not fit
     uint flatBricks;
 };

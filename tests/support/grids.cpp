@@ -25,7 +25,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
     if (all.empty()) return sums;
     for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
         const shared::LevelCommands& base = commands.lists[list];
-        for (std::uint32_t i = 0; i < base.faceCount; ++i) {
+        for (std::uint32_t i = 0; i < std::min<std::uint32_t>(base.faceCount, base.faceCapacity); ++i) {
             std::uint32_t entry = words.at(base.firstFace + i);
             if (entry == VCT_FREE_FACE) continue;
             entry &= ~(VCT_MERGED_FACE | VCT_FIRST_FACE);

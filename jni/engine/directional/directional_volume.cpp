@@ -141,9 +141,14 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
     };
     check("dynamic", dynamic.voxelCount, dynamic.capacity);
     check("static", still.staticVoxels, still.capacity);
-    if (found.unplacedFaces > 0) {
+    // The static faces of one cube never change. Those of cascades get room before they need it, because rays
+    // miss a face without room.
+    const std::uint32_t listed = std::min(still.faceCount, still.faceCapacity),
+                        unused = still.faceCapacity - listed + found.unusedIds -
+                                 std::min(found.takenIds, found.unusedIds);
+    const bool runsOut = hasCascades_ && unused < still.faceCapacity / 10;
+    if (found.unplacedFaces > 0 || runsOut) {
         const std::uint32_t needed = still.faceCapacity + found.unplacedFaces;
-        // The static faces of one cube never change.
         capacities[0] = std::max(capacities[0], hasCascades_ ? roomForMoves(needed) : needed);
     }
     if (dynamic.faceCount > capacities[VCT_LIST_DYNAMIC])
@@ -159,9 +164,10 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     const FaceCapacities capacities = capacitiesFor(found);
     if (capacities == voxels_.capacities()) return false;
+    // If something did not fit, all is voxelized again. Faces that were there keep their light.
+    isIncomplete_ |=
+        found.unplacedFaces > 0 || capacities[VCT_BRICK_LEVEL] != voxels_.capacities()[VCT_BRICK_LEVEL];
     voxels_.grow(capacities);
-    // All is voxelized again. Faces that were there keep their light.
-    isIncomplete_ = true;
     cachedFor_.reset();
     return true;
 }
@@ -178,7 +184,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         timer.time(Step::voxelize, [&] {
             moved = revoxelize(inputs.scene, inputs.cascades, inputs.forceRebuild);
             // A picture of converged light waits for the GPU, so that its lists have room in it already.
-            if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands()))
+            if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands()) &&
+                (isIncomplete_ || hasDynamic_))
                 moved |= revoxelize(inputs.scene, inputs.cascades, false);
             counts_.start(voxels_.index().commands());
         });

@@ -45,6 +45,10 @@ gl::ProgramDescription listBlocksProgram() {
     return {"directional/list_blocks", {"directional/list_blocks.comp"}, {}};
 }
 
+gl::ProgramDescription listFreeProgram() {
+    return {"directional/list_free", {"directional/list_free.comp"}, {}};
+}
+
 namespace {
 
 // Sets of voxels in the texture of blocks, along x and along y (placeOfSet() in
@@ -84,6 +88,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
     if (cascades > 1) {
         unlistStatic_ = gl::Program(shaders, unlistStaticProgram(emission));
         scroll_ = gl::Program(shaders, scrollProgram(emission));
+        listFree_ = gl::Program(shaders, listFreeProgram());
         listBlocks_ = gl::Program(shaders, listBlocksProgram());
     }
     for (int i = 0; dynamicObjects && i < 2; ++i)
@@ -304,6 +309,8 @@ void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t mov
     staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     index_.dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    listFree_.use();
+    index_.dispatchOverFaces(0);
     listBlocks_.use();
     dispatchOverBlocks(cascades_ * grid() / VCT_BRICK_SIDE);
     markStatic();

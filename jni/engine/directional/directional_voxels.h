@@ -26,6 +26,7 @@ gl::ProgramDescription markStaticProgram();
 gl::ProgramDescription unlistStaticProgram(bool emission);
 gl::ProgramDescription scrollProgram(bool emission);
 gl::ProgramDescription listBlocksProgram();
+gl::ProgramDescription listFreeProgram();
 
 // Capacities of the face lists, by list (VCT_LISTS).
 using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
@@ -137,8 +138,8 @@ class DirectionalVoxels {
     std::uint32_t pose_ = 0;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
     gl::Program markStatic_, fillBlocks_, resolve_;
-    gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades
-    gl::Program unlistStatic_, scroll_, listBlocks_;       // only with cascades
+    gl::Program clearDynamic_, clearBlocks_, resetLists_;        // only with dynamic objects or cascades
+    gl::Program unlistStatic_, scroll_, listFree_, listBlocks_;  // only with cascades
 };
 
 }  // namespace vct

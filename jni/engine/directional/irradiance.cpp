@@ -127,7 +127,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
     isBakedStep_ = false;
-    reserveFaces(voxels);
+    reserveFaces(voxels, change.voxelized != DirectionalVoxels::allCascades);
     if (isBakedStep_) schedule_.end();
     reserveBricks(voxels);
     uploadUniforms(objects, allBounces);
@@ -229,7 +229,7 @@ std::size_t Irradiance::hitWords(std::uint32_t ids) const {
     return groups * VCT_FACE_GROUP * static_cast<std::size_t>(settings_.directions) / 4 * 3;
 }
 
-void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
+void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     const FaceCapacities before = std::exchange(capacities_, voxels.capacities());
     const std::uint32_t oldIds = std::exchange(idCapacity_, voxels.idCapacity());
     constexpr std::uint32_t mostIds = VCT_HIT_NEAR - VCT_HIT_FACE;
@@ -250,9 +250,8 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
     std::vector<std::uint32_t> words((perFace + 1) * idCapacity_ + hitWords(idCapacity_) + blockedCapacity_);
     if (oldIds != 0) {
         // Faces keep their light and their hits, with other ids. This is rare enough to wait for the GPU.
-        // With cascades, rays may have missed static faces that did not fit into the lists, so all are traced
-        // again.
-        const bool keepsHits = voxels.cascades() == 1;
+        // If all cascades were voxelized again, rays may have missed static faces that did not fit into the
+        // lists, so all are traced again.
         std::vector<std::uint32_t> old((perFace + 1) * oldIds + hitWords(oldIds));
         faceIrradiance_.read(old.data(), old.size() * sizeof old[0]);
         std::vector<std::uint32_t> newId(oldIds);

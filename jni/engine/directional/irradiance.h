@@ -97,7 +97,7 @@ class Irradiance {
 
   private:
     void reserveBricks(const DirectionalVoxels& voxels);
-    void reserveFaces(const DirectionalVoxels& voxels);
+    void reserveFaces(const DirectionalVoxels& voxels, bool keepsHits);
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
