@@ -36,6 +36,7 @@ void main() {
                   packPlane(nearness, curved, side * normal, side * offset));
         atomicMax(faceSumData[at + VCT_FACE_FRONT],
                   packPlane(clamp(front, 0.0, 1.0), curved, side * normal, side * offset));
+        atomicMax(faceSumData[at + VCT_FACE_FRONT_ALBEDO], packFrontAlbedo(clamp(front, 0.0, 1.0), albedo));
         addToWords(at + VCT_FACE_ALBEDO, weight * albedo);
         uvec3 units = uvec3(vec3(weight, weight * acrossFaces(place, face >> 1)) * frame.faceSumUnits + 0.5);
         atomicAdd(faceSumData[at + VCT_FACE_COVERAGE], units.x);

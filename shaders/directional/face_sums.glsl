@@ -9,14 +9,15 @@ layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
     uint faceSumData[];
 };
 
-#define VCT_FACE_PLANE 0u  // packPlane() of the fragment nearest to the voxel's middle; not a sum
-#define VCT_FACE_FRONT 1u  // packPlane() of the foremost fragment; not a sum
-#define VCT_FACE_COVERAGE 2u
-#define VCT_FACE_ALBEDO 3u  // three words, weighted by coverage
-#define VCT_FACE_PLACE 6u   // two words: position across the face (acrossFaces()), weighted by coverage
+#define VCT_FACE_PLANE 0u         // packPlane() of the fragment nearest to the voxel's middle; not a sum
+#define VCT_FACE_FRONT 1u         // packPlane() of the foremost fragment; not a sum
+#define VCT_FACE_FRONT_ALBEDO 2u  // packFrontAlbedo() of the foremost fragment; not a sum
+#define VCT_FACE_COVERAGE 3u
+#define VCT_FACE_ALBEDO 4u  // three words, weighted by coverage
+#define VCT_FACE_PLACE 7u   // two words: position across the face (acrossFaces()), weighted by coverage
 #define VCT_FACE_CURVE \
-    8u  // four words of curved surfaces: coverage, and weighted by it the normal and the depth
-#define VCT_FACE_EMISSION 12u  // three words, weighted by coverage, relative to frame.emissionRange
+    9u  // four words of curved surfaces: coverage, and weighted by it the normal and the depth
+#define VCT_FACE_EMISSION 13u  // three words, weighted by coverage, relative to frame.emissionRange
 
 #ifdef VCT_EMISSION
 const uint faceSumWords = VCT_EMISSIVE_FACE_SUM_WORDS;
@@ -41,6 +42,12 @@ void addToWords(uint at, vec3 value) {
     if (units.z != 0u) atomicAdd(faceSumData[at + 2u], units.z);
 }
 
+// The roots of a fragment's albedo, below its depth in the voxel, 0..1. So atomicMax() keeps the albedo of
+// the foremost fragment.
+uint packFrontAlbedo(float front, vec3 albedo) {
+    return uint(front * 255.0 + 0.5) << 24 | packUnorm4x8(vec4(sqrt(albedo), 0.0));
+}
+
 struct FaceSums {
     float coverage;  // more than 1 if the voxel has several layers of surface
     vec3 albedo;     // weighted by coverage
@@ -48,6 +55,7 @@ struct FaceSums {
     vec2 place;      // weighted by coverage: position across the face, 0..1
     uint plane;      // nearest to the voxel's middle
     uint front;      // foremost
+    uint frontAlbedo;
     vec4 curve;  // of curved surfaces: coverage; weighted by it, normal across the face and depth, all 0..1
 };
 
@@ -66,18 +74,27 @@ FaceSums faceSums(uint id) {
 #endif
     return FaceSums(coverage, threeWords(at + VCT_FACE_ALBEDO), emission, place,
                     faceSumData[at + VCT_FACE_PLANE], faceSumData[at + VCT_FACE_FRONT],
+                    faceSumData[at + VCT_FACE_FRONT_ALBEDO],
                     vec4(float(faceSumData[at + VCT_FACE_CURVE]) / frame.faceSumUnits,
                          threeWords(at + VCT_FACE_CURVE + 1u)));
 }
 
 FaceSums combine(FaceSums a, FaceSums b) {
     return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission, a.place + b.place,
-                    max(a.plane, b.plane), max(a.front, b.front), a.curve + b.curve);
+                    max(a.plane, b.plane), max(a.front, b.front), max(a.frontAlbedo, b.frontAlbedo),
+                    a.curve + b.curve);
 }
 
 // True if several layers of surface, one behind the other, cover most of a face.
 bool hasLayers(FaceSums sums) {
     return sums.coverage > 1.4;
+}
+
+// The albedo of what is seen from the face's side. Of several layers, as the ground below a floor, this is
+// the foremost one.
+vec3 visibleAlbedo(FaceSums sums) {
+    vec3 front = unpackUnorm4x8(sums.frontAlbedo).rgb;
+    return hasLayers(sums) ? front * front : sums.albedo / max(sums.coverage, 1e-4);
 }
 
 // The plane of the surface that is seen from the face's side, as packPlane() packs it. Of several layers,
@@ -97,7 +114,7 @@ uint visiblePlane(FaceSums sums, int face) {
 
 // The sums of a face in the static and the dynamic index, added together.
 FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
-    FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), vec2(0.0), 0u, 0u, vec4(0.0));
+    FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), vec2(0.0), 0u, 0u, 0u, vec4(0.0));
     if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face));
     return hasFace(dynamicCell, face) ? combine(sums, faceSums(faceId(dynamicCell, face))) : sums;
 }

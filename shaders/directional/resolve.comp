@@ -110,7 +110,7 @@ void main() {
         uint at = faceAt(id);
         faceData[at + VCT_FACE_SURFACE] = packSurface(visible, opacity);
         faceData[at + VCT_FACE_EXTENT] = packExtent(extent);
-        faceData[at + VCT_FACE_REFLECTANCE] = packRgb9e5(sums.albedo / weight);
+        faceData[at + VCT_FACE_REFLECTANCE] = packRgb9e5(visibleAlbedo(sums));
 #ifdef VCT_EMISSION
         // Emissions of several layers are added, because a lamp directly below a ceiling hides the ceiling
         // and must not be darkened by its layer.

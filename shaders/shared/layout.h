@@ -286,8 +286,8 @@ using glm::vec4;
 // (directional/face_sums.glsl), without and with emission.
 #define VCT_FACE_WORDS 3u
 #define VCT_EMISSIVE_FACE_WORDS 4u
-#define VCT_FACE_SUM_WORDS 12u
-#define VCT_EMISSIVE_FACE_SUM_WORDS 15u
+#define VCT_FACE_SUM_WORDS 13u
+#define VCT_EMISSIVE_FACE_SUM_WORDS 16u
 #define VCT_FACE_GROUP 64u  // faces whose radiance is stored together, and whose hits are
 // Words per block of 4^3 voxels (directional/blocks.glsl).
 #define VCT_BLOCK_WORDS 24u

@@ -30,11 +30,11 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
             if (entry == VCT_FREE_FACE) continue;
             entry &= ~(VCT_MERGED_FACE | VCT_FIRST_FACE);
             std::vector<std::uint32_t>& sum = sums[entry];
-            // shaders/directional/face_sums.glsl: two planes, then sums.
+            // shaders/directional/face_sums.glsl: two planes and an albedo, then sums.
             const std::uint32_t* const face = &all.at(std::size_t{base.firstId + i} * voxels.sumWords());
             sum.resize(voxels.sumWords());
             for (std::uint32_t word = 0; word < sum.size(); ++word)
-                sum[word] = word < 2 ? std::max(sum[word], face[word]) : sum[word] + face[word];
+                sum[word] = word < 3 ? std::max(sum[word], face[word]) : sum[word] + face[word];
         }
     }
     return sums;
