@@ -40,6 +40,13 @@ uint pointsInFront(SurfacePlane plane, int axis, uint points, SurfacePlane other
     return inFront;
 }
 
+// The face of a voxel that a surface mostly looks towards.
+int mainFace(vec3 normal) {
+    vec3 size = abs(normal);
+    int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * axis + int(normal[axis] < 0.0);
+}
+
 void main() {
     COUNT(VCT_COUNTER_RESOLVE);
     uint count = baseFaceCount();
@@ -106,6 +113,16 @@ void main() {
                                 : min(planeCoverage, (1.0 - 2.0 * abs(place.x)) * (1.0 - 2.0 * abs(place.y)));
             // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
             opacity = coverage >= covered - step ? 0.996 : coverage / max(covered, 0.05);
+        }
+        // A surface that looks past its face is met at the face that it looks towards. There what it covers
+        // is known better: on a round column of one voxel, such faces would make it half as wide again.
+        int most = mainFace(plane.normal);
+        if (abs(plane.normal[axis]) < 0.3 && hasFace(staticCell | dynamicCell, most)) {
+            SurfacePlane other = unpackPlane(visiblePlane(combinedSums(staticCell, dynamicCell, most), most));
+            if (dot(plane.normal, other.normal) > 0.97 && abs(plane.offset - other.offset) < 0.05) {
+                opacity = 0.0;
+                extent.inFront = extent.behind = 0u;
+            }
         }
         uint at = faceAt(id);
         faceData[at + VCT_FACE_SURFACE] = packSurface(visible, opacity);

@@ -1,6 +1,7 @@
 // The irradiance of directional voxels, compared with closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/camera.h"
@@ -161,6 +162,74 @@ TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
         };
         EXPECT_LE(nearContact(0.04, 0.16).rms, grid == 64 ? 0.25 : 0.075) << grid;
         EXPECT_LE(nearContact(0.16, 0.3).rms, 0.045) << grid;
+    }
+}
+
+constexpr double niche = 8.0, behind = 2.03;  // the side of a wall, and its distance from a row of columns
+
+// Adds a black column of 16 smooth sides, over the height of the niche.
+void addColumn(Scene& scene, double radius, double x) {
+    constexpr std::uint32_t sides = 16;
+    Mesh mesh;
+    mesh.material = 1;
+    mesh.centre = {x, 0, 0};
+    for (std::uint32_t i = 0; i <= sides; ++i)
+        for (const double y : {-0.5 * niche, 0.5 * niche}) {
+            const double angle = 2.0 * pi * i / sides;
+            const glm::dvec3 normal(std::sin(angle), 0.0, std::cos(angle));
+            mesh.vertices.push_back({glm::vec3(radius * normal + glm::dvec3(0, y, 0)), glm::vec3(normal),
+                                     glm::vec2(0.0F), glm::vec2(0.0F)});
+        }
+    for (std::uint32_t i = 0; i < 2 * sides; i += 2)
+        for (const std::uint32_t corner : {i, i + 2, i + 3, i, i + 3, i + 1})
+            mesh.indices.push_back(corner);
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+    scene.meshes.push_back(std::move(mesh));
+}
+
+// The share of the sky that the wall sees between the columns, as the mean over places and directions.
+double skyBetween(const std::vector<double>& columns, double radius) {
+    int seen = 0, all = 0;
+    for (int i = 0; i < 40 * 40; ++i)
+        for (int place = 0; place < 25; ++place) {
+            const double r2 = (i % 40 + 0.5) / 40.0,
+                         angle = 2.0 * pi * (i / 40 + (place + 0.5) / 25.0) / 40.0;
+            const glm::dvec3 to(std::sqrt(r2) * std::cos(angle), std::sqrt(r2) * std::sin(angle),
+                                std::sqrt(1.0 - r2));
+            const glm::dvec2 from(0.36 * (place % 5 - 2), 0.36 * (place / 5 - 2));
+            ++all;
+            seen += std::none_of(columns.begin(), columns.end(), [&](double x) {
+                const double a = to.x * to.x + to.z * to.z, b = (from.x - x) * to.x - behind * to.z;
+                const double c = (from.x - x) * (from.x - x) + behind * behind - radius * radius;
+                const double root = b * b - a * c;
+                if (root < 0.0) return false;
+                const double y = from.y + to.y * (-b - std::sqrt(root)) / a;
+                return std::abs(y) < 0.5 * niche;
+            });
+        }
+    return static_cast<double>(seen) / all;
+}
+
+// The columns are of 0.9, 1.8 and 3.7 voxels.
+TEST(Gather, RoundColumnsHideAsMuchOfTheSkyAsTheyAreWide) {
+    const Context context = openContext(Backend::egl);
+    for (const auto& [width, bound] : {std::pair{0.125, 0.12}, {0.25, 0.045}, {0.5, 0.03}}) {
+        Scene scene = emptyScene();
+        scene.materials.push_back(scene.materials[0]);
+        scene.materials[1].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+        addQuad(scene, {-0.5 * niche, -0.5 * niche, -behind}, {niche, 0, 0}, {0, niche, 0});
+        std::vector<double> columns;
+        const int count = static_cast<int>(niche / (2.5 * width));
+        for (int i = 0; i < count; ++i) {
+            columns.push_back(2.5 * width * (i + 0.5) - 0.5 * niche);
+            addColumn(scene, 0.5 * width, columns.back());
+        }
+        Settings settings = mobileAt(48);
+        settings.skyRadiance = glm::vec3(1.0F);
+        FrameInspector frame(context, finished(std::move(scene)), noLight(), settings,
+                             lookAt({0, 0, -1}, {0, 0, -behind}, 85));
+        EXPECT_NEAR(frame.spreadOf(Output::indirectLight).mean / skyBetween(columns, 0.5 * width), 1.0, bound)
+            << width;
     }
 }
 
