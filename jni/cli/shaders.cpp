@@ -1,9 +1,11 @@
 // vct shaders: writes the sources (ESSL, the OpenGL ES Shading Language) of every program of every preset as
 // a phone's driver compiles them, and how often each stage and loop runs in a frame. tools/eval.py mali
 // computes lower bounds of GPU time from both.
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -13,6 +15,8 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "engine/programs.h"
+#include "engine/renderer.h"
+#include "lab/options.h"
 #include "lab/program_list.h"
 #include "lab/shader_counters.h"
 #include "lab/timings.h"
@@ -32,41 +36,30 @@ struct ShadersOptions {
     std::vector<std::string> presets;
 };
 
-// A program of one preset, and the modes in which this scene's frames run it.
+// A program of one preset, and what it did in the frames of the modes that run it.
 struct Variant {
     Step step;
     gl::ProgramDescription program;
-    std::vector<std::string> modes;
+    std::vector<std::pair<std::string, StageCount>> counts;  // by mode
 };
 
-bool same(const gl::ProgramDescription& a, const gl::ProgramDescription& b) {
-    return a.name == b.name && a.defines == b.defines;
-}
-
-std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofScene) {
-    std::vector<Variant> found;
-    const auto add = [&](const FrameProgram& use) -> Variant& {
-        for (Variant& known : found)
-            if (same(known.program, use.program)) return known;
-        return found.emplace_back(Variant{use.step, use.program, {}});
-    };
-    // One emissive or glossy material in a scene adds a target to the G-buffer, and so changes the programs
-    // of all other materials. Therefore all four combinations are listed.
-    for (Output mode : allModes()) {
-        for (const bool emissive : {false, true})
-            for (const bool glossy : {false, true}) {
-                SceneFeatures possible;
-                for (const unsigned features : allFeatures())
-                    if (emissive || !(features & featureEmissive))
-                        possible.materialFeatures.push_back(features);
-                possible.glossy = glossy;
-                for (const FrameProgram& use : framePrograms(settings, mode, possible, {}))
-                    add(use);
-            }
-        for (const FrameProgram& use : framePrograms(settings, mode, ofScene, {}))
-            if (use.rebuilds) add(use).modes.emplace_back(outputName(mode));
+// Adds what the frames of a mode ran to the programs. `known`: the programs that they may run.
+void add(std::vector<Variant>& variants, const std::string& mode, const std::vector<ProgramCount>& counts,
+         const std::vector<FrameProgram>& known) {
+    for (const ProgramCount& count : counts) {
+        const auto& program = count.program;
+        const auto use = std::find_if(known.begin(), known.end(), [&](const FrameProgram& frame) {
+            return frame.program.name == program.name;
+        });
+        if (use == known.end())
+            throw Error("mode " + mode + " runs the program '" + program.name +
+                        "', which framePrograms() in jni/lab/program_list.cpp does not list");
+        auto at = std::find_if(variants.begin(), variants.end(), [&](const Variant& variant) {
+            return variant.program.name == program.name && variant.program.defines == program.defines;
+        });
+        if (at == variants.end()) at = variants.insert(at, Variant{use->step, program, {}});
+        at->counts.emplace_back(mode, count.stage);
     }
-    return found;
 }
 
 // Shaders as phones compile them: half precision if the sources allow it, and OpenGL ES 3.1.
@@ -96,6 +89,16 @@ std::string folderName(std::size_t number, const std::string& program) {
     return name;
 }
 
+ordered_json countJson(const StageCount& stage) {
+    ordered_json loops = ordered_json::array();
+    for (const LoopCount& loop : stage.loops)
+        loops.push_back({{"place", loop.place},
+                         {"depth", loop.depth},
+                         {"constant", loop.constant},
+                         {"iterations", loop.iterations}});
+    return {{"shader", stage.shader}, {"invocations", stage.invocations}, {"loops", loops}};
+}
+
 // Writes the sources into DIR/PRESET/NUMBER-PROGRAM/ and returns the manifest's entries.
 ordered_json writeSources(const std::vector<Variant>& programs, const Settings& settings,
                           const std::string& preset, OutputFolder& out) {
@@ -116,27 +119,19 @@ ordered_json writeSources(const std::vector<Variant>& programs, const Settings& 
                 {{"stage", stageName(shader)}, {"shader", shader}, {"file", folder + "/" + file}});
         }
         programFolder.keep();
+        ordered_json modes = ordered_json::array(), counts = ordered_json::object();
+        for (const auto& [mode, count] : variant.counts) {
+            modes.push_back(mode);
+            counts[mode] = countJson(count);
+        }
         entries.push_back({{"name", variant.program.name},
                            {"pass", stepName(variant.step)},
                            {"defines", defines},
-                           {"modes", variant.modes},
-                           {"stages", stages}});
+                           {"modes", modes},
+                           {"stages", stages},
+                           {"counts", counts}});
     }
     return entries;
-}
-
-ordered_json countsJson(const std::vector<StageCount>& counts) {
-    ordered_json json = ordered_json::object();
-    for (const StageCount& stage : counts) {
-        ordered_json loops = ordered_json::array();
-        for (const LoopCount& loop : stage.loops)
-            loops.push_back({{"name", loop.name},
-                             {"depth", loop.depth},
-                             {"constant", loop.constant},
-                             {"iterations", loop.iterations}});
-        json[stage.shader] = {{"invocations", stage.invocations}, {"loops", loops}};
-    }
-    return json;
 }
 
 void writeShaders(const ShadersOptions& options) {
@@ -169,13 +164,18 @@ void writeShaders(const ShadersOptions& options) {
         options.scene.fitGrid(settings, scene, context.capabilities);
         settings.skyRadiance = sky.skyRadiance;
         settings.environment = sky.environment;
-        ordered_json entry{{"name", preset}, {"grid", settings.grid}};
-        entry["programs"] = writeSources(variants(settings, featuresOf(scene)), settings, preset, out);
-        settings.countInvocations = true;
         settings.revoxelize = true;
-        Renderer renderer(scene, light, settings, context.capabilities, shaders());
-        for (Output mode : allModes())
-            entry["counts"][outputName(mode)] = countsJson(countInvocations(renderer, mode, camera));
+        const ShaderCounters counters;
+        Renderer renderer(scene, light, settings, context.capabilities, shaders(), counters.programs());
+        std::vector<Variant> variants;
+        for (const Output mode : allModes()) {
+            const auto frame = [&] { renderer.render({{mode}, camera}); };
+            frame();  // the second frame represents all later ones; the first one has nothing to clear
+            add(variants, outputName(mode), counters.count(frame),
+                framePrograms(settings, mode, featuresOf(scene), context.capabilities));
+        }
+        ordered_json entry{{"name", preset}, {"grid", settings.grid}};
+        entry["programs"] = writeSources(variants, settings, preset, out);
         manifest["presets"].push_back(std::move(entry));
     }
     writeJson(out.file("manifest.json"), manifest);

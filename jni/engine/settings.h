@@ -76,7 +76,6 @@ struct Settings {
     // Radiance behind the scene, without effect on its light; empty: the sky's. For skies of one colour.
     std::optional<glm::vec3> background;
     bool revoxelize = false;             // rebuild shadow maps and voxels in every frame, to measure that
-    bool countInvocations = false;       // count shader invocations (shaders/shared/counters.glsl); slow
     std::uint32_t activeVoxelLimit = 0;  // capacity of the base level's active-voxel list; 0: by the grid
 };
 

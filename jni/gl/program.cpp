@@ -56,6 +56,7 @@ Handle<&DeleteProgram> link(const ShaderLibrary& library, const ProgramDescripti
     std::vector<std::string> texts;
     for (const std::string& path : description.shaders) {
         sources.push_back(sourceOf(library, description, path));
+        if (hooks.onSource) hooks.onSource(description, path, sources.back());
         texts.push_back(sources.back().text);
     }
     Handle<&DeleteProgram> handle(CreateProgram());

@@ -59,6 +59,9 @@ struct NewProgramLimit : std::exception {
 
 // Functions that are called while a program is linked. Each may be empty.
 struct ProgramHooks {
+    // May change the source of a program's shader.
+    std::function<void(const ProgramDescription& program, const std::string& shader, AssembledShader& source)>
+        onSource;
     // Return and keep what a driver has compiled, by a key of 32 hexadecimal digits, which depends on the
     // driver and the source. An empty result means that there is none; one that does not fit is not used.
     std::function<std::vector<std::uint8_t>(const std::string& key)> load;

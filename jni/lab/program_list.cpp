@@ -55,7 +55,10 @@ std::vector<gl::ProgramDescription> everyProgram() {
     }
     Settings softMap;
     softMap.shadow = Shadow::softMap;
-    std::vector<Settings> variants{softMap};
+    Settings softLights = softMap;
+    softLights.voxels = Voxels::directional;
+    softLights.lightRadius = 0.1F;
+    std::vector<Settings> variants{softMap, softLights};
     for (const std::string& preset : presetNames())
         variants.push_back(presetSettings(preset));
     const auto sky = std::make_shared<const Environment>(Image(2, 1), "of no light");
@@ -120,10 +123,10 @@ std::vector<gl::ProgramDescription> everyProgram() {
 std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
                                         const gl::Capabilities& capabilities) {
     std::vector<FrameProgram> programs;
-    const auto add = [&](Step step, const gl::ProgramDescription& program, bool rebuilds = true) {
+    const auto add = [&](Step step, const gl::ProgramDescription& program) {
         for (const FrameProgram& known : programs)
             if (known.program.name == program.name && known.program.defines == program.defines) return;
-        programs.push_back({step, program, rebuilds});
+        programs.push_back({step, program});
     };
     const Voxelization voxelization = voxelizationFor(settings.voxels, capabilities);
     const ExtraTargets targets = extraTargets(features, settings.specular);
@@ -142,12 +145,12 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         add(Step::voxelize, clearDynamicProgram(emission));
         add(Step::voxelize, clearBlocksProgram());
         add(Step::voxelize, resetListsProgram());
-        add(Step::voxelize, markStaticProgram(), false);
+        add(Step::voxelize, markStaticProgram());
         if (settings.cascades > 1) {
-            add(Step::voxelize, unlistStaticProgram(emission), false);
-            add(Step::voxelize, scrollProgram(emission), false);
-            add(Step::voxelize, listFreeProgram(), false);
-            add(Step::voxelize, listBlocksProgram(), false);
+            add(Step::voxelize, unlistStaticProgram(emission));
+            add(Step::voxelize, scrollProgram(emission));
+            add(Step::voxelize, listFreeProgram());
+            add(Step::voxelize, listBlocksProgram());
         }
         for (unsigned f : features.materialFeatures) {
             add(Step::voxelize, markFacesProgram(f));
@@ -161,16 +164,15 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
                 add(Step::irradiance, lightProgram(name, lights));
             if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
             add(Step::inject, injectProgram(lights));
-            const auto addRays = [&](const char* name, bool rebuilds) {
-                add(Step::irradiance, raysProgram(name, settings.gather, lights), rebuilds);
+            const auto addRays = [&](std::initializer_list<const char*> names) {
+                for (const char* name : names)
+                    add(Step::irradiance, raysProgram(name, settings.gather, lights));
             };
-            for (const char* name : {"carry_hits", "trace", "gather", "smooth_rows", "smooth"})
-                addRays(name, true);
-            if (settings.cascades > 1) addRays("forward_hits", false);
-            if (settings.cascades > 1) addRays("list_visited", false);
-            addRays("sky", false);
-            addRays("refine", false);
-            if (features.movingObjects) addRays("block", false);
+            addRays({"sky", "trace", "gather", "refine", "smooth_rows", "smooth"});
+            if (features.movingObjects || settings.revoxelize || settings.cascades > 1)
+                addRays({"carry_over", "carry_hits"});
+            if (settings.cascades > 1) addRays({"forward_hits", "list_visited"});
+            if (features.movingObjects) addRays({"block"});
         }
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());

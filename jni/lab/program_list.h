@@ -21,7 +21,6 @@ std::vector<gl::ProgramDescription> everyProgram();
 struct FrameProgram {
     Step step;
     gl::ProgramDescription program;
-    bool rebuilds = true;  // false: a frame that rebuilds everything does not run it
 };
 std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
                                         const gl::Capabilities& capabilities);

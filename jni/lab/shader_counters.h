@@ -1,32 +1,50 @@
-// Counts how often the shaders of a frame and their loops run. The shaders themselves count
-// (shaders/shared/counters.glsl).
+// Counts how often the shaders of frames and their loops run. The shaders themselves count
+// (lab/shader_loops.h).
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/renderer.h"
+#include "gl/program.h"
 
 namespace vct {
 
 struct LoopCount {
-    std::string name;
-    int depth;      // number of loops around it
-    bool constant;  // its length is constant, so the compiler may unroll it
-    double iterations;
+    std::string place;         // "directional/ray.glsl:131"
+    int depth;                 // number of loops around it
+    bool constant;             // its length is constant, so the compiler may unroll it
+    std::uint32_t iterations;  // begun ones, by all calls of the loop's function together
 };
 
 struct StageCount {
     std::string shader;  // "passes/shade.frag"
     std::uint32_t invocations;
-    // The loops that ran, in their order; a nested loop comes after the one around it.
-    std::vector<LoopCount> loops;
+    std::vector<LoopCount> loops;  // in the order in which they run; a nested loop after the one around it
 };
 
-// Renders two frames and counts the second one, which represents all later ones. The renderer's settings must
-// have countInvocations and revoxelize. Fragments are counted before the depth test. Returns the stages that
-// ran.
-std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const Camera& camera);
+struct ProgramCount {
+    gl::ProgramDescription program;
+    StageCount stage;  // the fragment or the compute shader
+};
+
+class ShaderCounters {
+  public:
+    ShaderCounters();
+
+    // The cache for a renderer whose shaders count. They are slower than others.
+    std::shared_ptr<gl::ProgramCache> programs() const { return programs_; }
+
+    // Counts what `frames` draws, by a renderer with the programs of programs(). Fragments are counted before
+    // the depth test. Returns the programs that ran.
+    std::vector<ProgramCount> count(const std::function<void()>& frames) const;
+
+  private:
+    struct Stages;
+    std::shared_ptr<Stages> stages_;  // of all programs that were linked
+    std::shared_ptr<gl::ProgramCache> programs_;
+};
 
 }  // namespace vct

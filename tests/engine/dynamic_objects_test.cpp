@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "core/error.h"
+#include "lab/shader_counters.h"
 #include "support/gl_spy.h"
 #include "support/grids.h"
 #include "support/playing_scene.h"
@@ -57,38 +59,61 @@ Settings roomSettings(int grid, bool revoxelize) {
     Settings settings = mobileSettings();
     settings.grid = grid;
     settings.shadowMapSize = 512;
-    settings.countInvocations = true;
     settings.revoxelize = revoxelize;
     return settings;
 }
 
-// Counts of the shaders over frames in which the cube moves.
-std::vector<std::uint32_t> countsInTheRoom(const Context& context, const Settings& settings, Output output,
-                                           int frames = 1) {
-    const Scene scene = room();
-    PlayingScene stage(context, scene, settings);
-    const auto frameAt = [&](double seconds) { stage.frameAt(seconds, output); };
-    for (int i = 0; i < 6; ++i)
-        frameAt(0.05 * i);
-    std::vector<std::uint32_t> counts(VCT_COUNTER_COUNT);
-    const gl::Buffer counters("counters", GL_SHADER_STORAGE_BUFFER, counts.size() * sizeof counts[0],
-                              counts.data(), GL_DYNAMIC_COPY);
-    counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COUNTERS);
-    for (int i = 0; i < frames; ++i)
-        frameAt(0.3 + 0.05 * i);
-    counters.read(counts.data(), counters.bytes());
-    return counts;
-}
+// Counts of the shaders over frames in which the cube moves: of all variants of a shader together.
+class CountsInTheRoom {
+  public:
+    CountsInTheRoom(const Context& context, const Settings& settings, Output output, int frames = 1) {
+        const Scene scene = room();
+        const ShaderCounters counters;
+        PlayingScene stage(context, scene, settings, counters.programs());
+        const auto frameAt = [&](double seconds) { stage.frameAt(seconds, output); };
+        for (int i = 0; i < 6; ++i)
+            frameAt(0.05 * i);
+        counts_ = counters.count([&] {
+            for (int i = 0; i < frames; ++i)
+                frameAt(0.3 + 0.05 * i);
+        });
+    }
+    double invocations(const std::string& shader) const {
+        return sum(shader, [](const StageCount& stage) { return static_cast<double>(stage.invocations); });
+    }
+    // Iterations of the loops of one depth.
+    double iterations(const std::string& shader, int depth) const {
+        return sum(shader, [depth](const StageCount& stage) {
+            double all = 0.0;
+            for (const LoopCount& loop : stage.loops)
+                if (loop.depth == depth) all += loop.iterations;
+            return all;
+        });
+    }
 
-// Counted are the fragments of both passes over the triangles and the listed faces.
+  private:
+    double sum(const std::string& shader, const std::function<double(const StageCount&)>& value) const {
+        double all = 0.0;
+        for (const ProgramCount& count : counts_)
+            if (count.stage.shader == shader) all += value(count.stage);
+        return all;
+    }
+    std::vector<ProgramCount> counts_;
+};
+
+// Counted are the fragments of both passes over the triangles and the listed voxels.
 TEST(DynamicObjects, OneOfAHundredIsVoxelizedAlone) {
     const Context context = openContext(Backend::egl);
-    const std::vector<std::uint32_t> part = countsInTheRoom(context, roomSettings(128, false), Output::ao),
-                                     all = countsInTheRoom(context, roomSettings(128, true), Output::ao);
-    for (const int visits : {VCT_COUNTER_MARK_FACES, VCT_COUNTER_ACCUMULATE, VCT_COUNTER_LIST_FACES_FACE}) {
-        EXPECT_GT(part[visits], 20U) << visits;
-        EXPECT_LT(50 * part[visits], all[visits]) << visits;
-    }
+    const CountsInTheRoom part(context, roomSettings(128, false), Output::ao),
+        all(context, roomSettings(128, true), Output::ao);
+    const auto expectPart = [](double ofPart, double ofAll, const char* what) {
+        EXPECT_GT(ofPart, 20.0) << what;
+        EXPECT_LT(50.0 * ofPart, ofAll) << what;
+    };
+    for (const char* shader : {"directional/mark_faces.frag", "directional/accumulate.frag"})
+        expectPart(part.invocations(shader), all.invocations(shader), shader);
+    const char* const list = "directional/list_faces.comp";
+    expectPart(part.iterations(list, 0), all.iterations(list, 0), list);
 }
 
 // 128^3 voxels have four times as many faces as 64^3, of which each traces as many fewer rays again.
@@ -97,10 +122,12 @@ TEST(DynamicObjects, RaysOfAFrameKeepToTheBudgetWhateverTheGrid) {
     for (const int grid : {64, 128}) {
         Settings settings = roomSettings(grid, true);
         settings.gather.rayBudget = 1 << 18;
-        const std::vector<std::uint32_t> counts = countsInTheRoom(context, settings, Output::gi, 8);
-        EXPECT_GT(counts[VCT_COUNTER_GATHER_FACE], 8U * 10000U) << grid;
-        EXPECT_GT(counts[VCT_COUNTER_TRACE_RAY], 8U * 120000U) << grid;
-        EXPECT_LT(counts[VCT_COUNTER_TRACE_RAY], 8U * 280000U) << grid;
+        const CountsInTheRoom counts(context, settings, Output::gi, 8);
+        EXPECT_GT(counts.iterations("directional/gather.comp", 0), 8 * 10000) << grid;
+        // The loop of rays; the other one at this depth invalidates none here.
+        const double rays = counts.iterations("directional/trace.comp", 1);
+        EXPECT_GT(rays, 8 * 120000) << grid;
+        EXPECT_LT(rays, 8 * 280000) << grid;
     }
 }
 

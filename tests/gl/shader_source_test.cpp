@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -94,12 +95,25 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
         << "glslangValidator is missing; scripts/setup.sh installs it";
     std::set<std::string> seen;
     std::vector<Source> sources;
-    for (const gl::ProgramDescription& program : allPrograms())
+    bool hasCascades = false, hasSoftLights = false;
+    const auto add = [&](const gl::ProgramDescription& program, std::vector<std::string> defines) {
+        defines.insert(defines.end(), program.defines.begin(), program.defines.end());
         for (const std::string& path : program.shaders) {
-            const gl::AssembledShader source =
-                gl::assembleShader(testShaders(), path, program.defines, GetParam());
+            const gl::AssembledShader source = gl::assembleShader(testShaders(), path, defines, GetParam());
             if (seen.insert(path + source.text).second) sources.push_back({path, source.text, program.name});
         }
+    };
+    for (const gl::ProgramDescription& program : allPrograms()) {
+        add(program, {});
+        hasSoftLights |= std::count(program.defines.begin(), program.defines.end(), "VCT_SOFT_LIGHTS") > 0;
+        // Programs of directional voxels differ with cascades; one version of the language serves to see it.
+        const std::string& last = program.shaders.back();
+        if (GetParam() != gl::Language::essl310 || last.rfind("directional/", 0) != 0) continue;
+        add(program, {"VCT_CASCADES 3"});
+        hasCascades = true;
+    }
+    EXPECT_TRUE(hasSoftLights);
+    EXPECT_EQ(hasCascades, GetParam() == gl::Language::essl310);
     EXPECT_GT(sources.size(), 60U);
     expectAccepted(sources);
 }

@@ -11,8 +11,10 @@ namespace vct::test {
 class PlayingScene {
   public:
     // The scene must live as long.
-    PlayingScene(const Context& context, const Scene& scene, const Settings& settings)
-        : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
+    PlayingScene(const Context& context, const Scene& scene, const Settings& settings,
+                 std::shared_ptr<gl::ProgramCache> programs = {})
+        : scene_(scene),
+          renderer_(makeRenderer(context, scene, chooseLight(scene), settings, std::move(programs))) {}
 
     void frameAt(double seconds, Output mode = Output::gi);
     // Draws two frames: where dynamic objects need more capacity, a frame after the GPU has finished adds it.

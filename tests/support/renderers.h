@@ -19,8 +19,8 @@ inline gl::ReadShader testShaders() {
 }
 
 inline Renderer makeRenderer(const Context& context, const Scene& scene, const DirectionalLight& light,
-                             const Settings& settings) {
-    return Renderer(scene, light, settings, context.capabilities, testShaders());
+                             const Settings& settings, std::shared_ptr<gl::ProgramCache> programs = {}) {
+    return Renderer(scene, light, settings, context.capabilities, testShaders(), std::move(programs));
 }
 
 // The size of one resource, or of all.

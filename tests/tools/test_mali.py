@@ -59,7 +59,7 @@ def test_memory_is_between_outputs_alone_and_every_access():
 
 def loops(*entries):
     """(depth, iterations), with a letter where the length is constant."""
-    return [{"name": str(index), "depth": depth, "iterations": iterations, "constant": bool(constant)}
+    return [{"place": str(index), "depth": depth, "iterations": iterations, "constant": bool(constant)}
             for index, (depth, iterations, *constant) in enumerate(entries)]
 
 
@@ -77,9 +77,19 @@ def test_compiled_loops_are_matched(source, compiled, matched):
     assert match_loops(source, compiled) == matched
 
 
+def test_calls_that_the_compiler_removed_leave_their_iterations_to_the_others():
+    called_twice = [{"place": place, "depth": depth, "iterations": iterations, "constant": False}
+                    for place, depth, iterations in [("a", 0, 40), ("b", 1, 90)] * 2]
+    assert match_loops(called_twice, [0, 1]) in ([0, 1], [2, 3])
+    stage = Stage({"A": 0}, [CompiledLoop(0, {"A": 1}), CompiledLoop(1, {"A": 10})])
+    assert words_of(stage, 4, called_twice) == {"A": 40 + 900}
+    assert match_loops(loops((0, 7), (1, 28, "c"), (1, 0)), [0, 1], 5) == [0, 2], "what can be unrolled is, before a loop that never ran goes"
+    assert match_loops(loops((0, 7), (1, 7), (2, 30)), [0, 1], 5) == [0, 2], "a loop that runs once for each entry is removed"
+
+
 @pytest.mark.parametrize("source, compiled, words", [
     (loops((0, 1)), [0, 1], "cannot be those"), (loops((0, 1), (0, 2)), [0], "cannot be those"),
-    (loops((0, 4, "c"), (0, 4, "c")), [0], "more than one way")])
+    (loops((0, 2, "c"), (0, 4, "c"), (0, 2, "c")), [0, 0], "more than one way")])
 def test_loops_that_cannot_be_matched_are_an_error(source, compiled, words):
     with pytest.raises(Failed, match=words):
         match_loops(source, compiled)

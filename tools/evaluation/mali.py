@@ -61,11 +61,11 @@ class Cost:
 
 def words_of(stage: Stage, invocations: int, loops: Sequence[Loop]) -> Counter:
     """Words of all invocations of a stage in a frame. `loops`: those of its source, with iterations."""
-    sources = match_loops(loops, [loop.depth for loop in stage.loops])
-    instances = Counter(sources)
+    sources = match_loops(loops, [loop.depth for loop in stage.loops], invocations)
+    instances = Counter(loops[source]["place"] for source in sources)  # calls of the loop's function that the compiler kept
     words = Counter({pipe: number * invocations for pipe, number in stage.outside.items()})
     for compiled, source in zip(stage.loops, sources):
-        iterations = loops[source]["iterations"] / instances[source]
+        iterations = loops[source]["iterations"] / instances[loops[source]["place"]]
         words.update({pipe: number * iterations for pipe, number in compiled.words.items()})
     return words
 
@@ -113,10 +113,9 @@ def cost(stage: Stage, gpu: Gpu, count: dict[str, Any], step: str, shader: str, 
                 stage.registers, stage.spills)
 
 
-def frame(programs: list[tuple[dict[str, Any], dict[str, Stage]]], gpu: Gpu, mode: str, counts: dict[str, Any],
-          vertices: int, folder: Path) -> list[Cost]:
-    """The stages of a frame of a mode. Variants of one shader have one count, and the costliest variant counts."""
-    stages: dict[str, Cost] = {}
+def frame(programs: list[tuple[dict[str, Any], dict[str, Stage]]], gpu: Gpu, mode: str, vertices: int, folder: Path) -> list[Cost]:
+    """The stages of a frame of a mode."""
+    stages = []
     for entry, found in programs:
         for source in entry["stages"] if mode in entry["modes"] else []:
             name, shader = source["stage"], source["shader"]
@@ -124,19 +123,14 @@ def frame(programs: list[tuple[dict[str, Any], dict[str, Stage]]], gpu: Gpu, mod
                 continue
             if name == "vertex":
                 count = {"invocations": 3 if shader == FULL_SCREEN else vertices, "loops": []}
-            elif shader in counts:
-                count = counts[shader]
             else:
-                raise Failed(f"{shader} runs in mode {mode} but was not counted: jni/lab/shader_counters.cpp")
+                count = entry["counts"][mode]
             outputs = output_bytes((folder / source["file"]).read_text()) if name == "fragment" else 0
             try:
-                bound = cost(found[name], gpu, count, entry["pass"], shader, outputs)
+                stages.append(cost(found[name], gpu, count, entry["pass"], shader, outputs))
             except Failed as why:
                 raise Failed(f"{entry['name']}, {shader}, mode {mode}: {why}") from None
-            key = f"{shader} {entry['name']}" if name == "vertex" else shader
-            if key not in stages or bound.bound_ms > stages[key].bound_ms:
-                stages[key] = bound
-    return list(stages.values())
+    return stages
 
 
 def presenting(compiler: Path, gpu: Gpu, preamble: str, folder: Path, size: tuple[int, int], window: tuple[int, int]) -> list[Cost]:
@@ -164,14 +158,15 @@ def bounds(compiler: Path, scene: Path, size: tuple[int, int], window: tuple[int
         found: dict[str, Any] = {}
         for gpu in gpus:
             for entry in manifest["presets"]:
-                used = [one for one in entry["programs"] if one["modes"]]  # the compiler fails at a variant that other scenes need
+                used = entry["programs"]
                 say(f"{gpu}: {entry['name']}, {len(used)} programs")
                 programs = [(one, compiled(one, folder, compiler, GPUS[gpu])) for one in used]
                 source = (folder / next(stage["file"] for stage in used[-1]["stages"] if stage["stage"] != "compute")).read_text()
                 shown = presenting(compiler, GPUS[gpu], source[:source.index("#line")], folder, size, window) if window else []
+                modes = dict.fromkeys(mode for one in used for mode in one["modes"])
                 found.setdefault(gpu, {})[entry["name"]] = {
-                    mode: [vars(one) for one in frame(programs, GPUS[gpu], mode, counts, manifest["vertices"], folder) + shown]
-                    for mode, counts in entry["counts"].items()}
+                    mode: [vars(one) for one in frame(programs, GPUS[gpu], mode, manifest["vertices"], folder) + shown]
+                    for mode in modes}
     presets_of = {preset: {mode: by_pass(stages, "bound_ms") for mode, stages in modes.items()}
                   for preset, modes in found.get("t880", {}).items()}
     return {"scene": scene.name, "size": list(size), "window": list(window or size), "presets": presets_of, "gpus": found}

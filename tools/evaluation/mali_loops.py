@@ -1,6 +1,7 @@
 """Matches the loops of a compiled shader to the loops of its source, some of which the compiler unrolls."""
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -15,7 +16,7 @@ class Node:
 
 
 Match = dict[int, int]  # compiled loop -> source loop
-Loop = dict[str, Any]  # of the manifest: name, depth, constant (has a constant length), iterations
+Loop = dict[str, Any]  # of the manifest: place, depth, constant (has a constant length), iterations
 
 
 def tree(depths: Sequence[int]) -> list[Node]:
@@ -65,21 +66,41 @@ def copies(source: list[Node], compiled: list[Node], loops: Sequence[Loop]) -> I
                 yield match
 
 
-def match_loops(loops: Sequence[Loop], compiled_depths: Sequence[int]) -> list[int]:
-    """The index in `loops` of each compiled loop, by the reading with the fewest and shortest loops unrolled."""
+def foldable(loops: Sequence[Loop], invocations: float) -> list[Loop]:
+    """The loops, where the compiler may also have removed one that ran never or once for each entry, or one call's of several."""
+    path: list[Loop] = []
+    changed = []
+    copies_of = Counter(loop["place"] for loop in loops)
+    for loop in loops:
+        del path[loop["depth"]:]
+        entries = path[-1]["iterations"] if path else invocations
+        may_go = loop["constant"] or loop["iterations"] in (0, entries) or copies_of[loop["place"]] > 1
+        changed.append({**loop, "constant": may_go})
+        path.append(loop)
+    return changed
+
+
+def match_loops(loops: Sequence[Loop], compiled_depths: Sequence[int], invocations: float = 0) -> list[int]:
+    """The index in `loops` of each compiled loop, by the reading with the fewest loops removed that are not of constant length, then the
+    fewest and shortest unrolled."""
+    fixed = [loop["constant"] for loop in loops]
+    loops = foldable(loops, invocations)
     depths = [loop["depth"] for loop in loops]
     source, compiled = tree(depths), tree(compiled_depths)
     # A function that is inlined at several places has its loops as often.
     readings = list(matches(source, compiled, loops)) or list(copies(source, compiled, loops))
     if not readings:
         raise Failed(f"loops of depths {list(compiled_depths)} cannot be those of the source, {depths}: is one of them "
-                     "not counted (shaders/shared/counters.glsl)?")
+                     "not read (jni/lab/shader_loops.cpp)?")
 
-    def unrolled(match: Match) -> tuple[int, float]:
-        gone = [loop["iterations"] for index, loop in enumerate(loops) if index not in match.values()]
-        return len(gone), sum(gone)
+    def unrolled(match: Match) -> tuple[int, int, float]:
+        gone = [index for index in range(len(loops)) if index not in match.values()]
+        return sum(not fixed[index] for index in gone), len(gone), sum(loops[index]["iterations"] for index in gone)
     least = min(map(unrolled, readings))
     best = [match for match in readings if unrolled(match) == least]
-    if any(match != best[0] for match in best):
+
+    def lengths(match: Match) -> list[float]:
+        return [loops[match[index]]["iterations"] for index in range(len(compiled_depths))]
+    if any(lengths(match) != lengths(best[0]) for match in best):
         raise Failed(f"loops of depths {list(compiled_depths)} can be those of the source, {depths}, in more than one way")
     return [best[0][index] for index in range(len(compiled_depths))]
