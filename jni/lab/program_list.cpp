@@ -1,9 +1,7 @@
 #include "lab/program_list.h"
 
-#include <algorithm>
-#include <array>
+#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "engine/directional/directional_volume.h"
@@ -21,119 +19,23 @@ namespace vct {
 
 namespace {
 
-constexpr std::array lightPrograms{"clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
-constexpr std::array rayPrograms{"carry_over", "carry_hits", "forward_hits", "list_visited", "sky",   "trace",
-                                 "block",      "gather",     "refine",       "smooth_rows",  "smooth"};
-
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
 }
 
-}  // namespace
-
-std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{
-        packedMipmapperProgram(), packedClearProgram(), voxelViewProgram(),
-
-        listBlocksProgram(),      listFreeProgram(),    listFacesProgram(),   clearBlocksProgram(),
-        resetListsProgram(),      markStaticProgram(),  shadowLevelProgram(), deformProgram(),
-        copyVerticesProgram(),    sortAxesProgram()};
-    for (const gl::ProgramDescription& program : driverCheckPrograms())
-        programs.push_back(program);
-    for (unsigned features : allFeatures()) {
-        programs.push_back(shadowMapProgram(features));
-        programs.push_back(lightMapProgram(features));
-        for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes})
-            programs.push_back(packedVoxelizerProgram(features, voxelization));
-        programs.push_back(markFacesProgram(features));
-        for (bool emission : {false, true})
-            programs.push_back(accumulateProgram(features, emission));
-        for (bool emissive : {false, true})
-            for (bool gloss : {false, true})
-                for (bool mapped : {false, true})
-                    programs.push_back(gBufferProgram(features, {emissive, gloss, mapped}));
-    }
-    Settings softMap;
-    softMap.shadow = Shadow::softMap;
-    Settings softLights = softMap;
-    softLights.voxels = Voxels::directional;
-    softLights.lightRadius = 0.1F;
-    std::vector<Settings> variants{softMap, softLights};
-    for (const std::string& preset : presetNames())
-        variants.push_back(presetSettings(preset));
-    const auto sky = std::make_shared<const Environment>(Image(2, 1), "of no light");
-    for (std::size_t i = 0, count = variants.size(); i < count; ++i) {
-        variants.push_back(variants[i]);
-        variants.back().environment = sky;
-    }
-    programs.push_back(markGlossProgram());
-    // A scene with compact emitters also has emission, so the fourth combination does not exist.
-    constexpr std::array<std::pair<bool, bool>, 3> emissionAndEmitters{
-        {{false, false}, {true, false}, {true, true}}};
-    for (const auto& [emission, emitters] : emissionAndEmitters) {
-        programs.push_back(clearDynamicProgram(emission));
-        programs.push_back(unlistStaticProgram(emission));
-        programs.push_back(scrollProgram(emission));
-        programs.push_back(resolveProgram(emission));
-        programs.push_back(fillBlocksProgram(emission));
-        for (const bool environment : {false, true}) {
-            for (const char* name : lightPrograms)
-                programs.push_back(lightProgram(name, {false, environment, emitters, emission}));
-            for (const bool punctual : {false, true})
-                programs.push_back(injectProgram({punctual, environment, emitters, emission}));
-        }
-    }
-    for (const Settings& settings : variants) {
-        const bool faces = settings.voxels == Voxels::directional;
-        for (const OutputReads& read : outputTable)
-            for (bool emissive : {false, true})
-                for (bool gloss : {false, true})
-                    for (bool punctual : {false, true})
-                        for (bool mapped : {false, true})
-                            if ((faces || !gloss) && (!mapped || !emissive))
-                                programs.push_back(shadeProgram(read.output, {emissive, gloss, mapped},
-                                                                {punctual, settings.environment != nullptr},
-                                                                settings));
-        if (settings.voxels != Voxels::directional) continue;
-        for (const auto& [emission, emitters] : emissionAndEmitters) {
-            const LightFeatures lights{false, settings.environment != nullptr, emitters, emission};
-            for (const bool mapped : {false, true})
-                for (const bool punctual : {false, true}) {
-                    const LightFeatures all{punctual, lights.environment, emitters, emission};
-                    programs.push_back(halfGlossProgram(mapped, all));
-                    programs.push_back(glossProgram(mapped, all));
-                }
-            for (const char* name : rayPrograms)
-                programs.push_back(raysProgram(name, settings.gather, lights));
-            if (emitters) programs.push_back(emittersProgram(lights));
-        }
-    }
-    for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
-        programs.push_back(debugViewProgram(view));
-    // Presets share most programs.
-    const auto key = [](const gl::ProgramDescription& p) { return std::tie(p.shaders, p.defines); };
-    std::sort(programs.begin(), programs.end(),
-              [&](const auto& a, const auto& b) { return key(a) < key(b); });
-    programs.erase(std::unique(programs.begin(), programs.end(),
-                               [&](const auto& a, const auto& b) { return key(a) == key(b); }),
-                   programs.end());
-    return programs;
-}
-
-std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
-                                        const gl::Capabilities& capabilities) {
+std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, const SceneFeatures& features,
+                                     Voxelization voxelization, bool compactEmitters) {
     std::vector<FrameProgram> programs;
     const auto add = [&](Step step, const gl::ProgramDescription& program) {
         for (const FrameProgram& known : programs)
             if (known.program.name == program.name && known.program.defines == program.defines) return;
         programs.push_back({step, program});
     };
-    const Voxelization voxelization = voxelizationFor(settings.voxels, capabilities);
     const ExtraTargets targets = extraTargets(features, settings.specular);
-    // Assumes that all emitters of the scene are compact; large ones need fewer programs.
     const bool emission = features.has(featureEmissive);
     const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
-                               settings.voxels == Voxels::directional && emission, emission};
+                               settings.voxels == Voxels::directional && emission && compactEmitters,
+                               emission};
     const OutputReads& read = reads(mode);
     if (read.shadowMap())
         for (unsigned f : features.materialFeatures)
@@ -160,7 +62,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         add(Step::voxelize, resolveProgram(emission));
         add(Step::voxelize, fillBlocksProgram(emission));
         if (read.ambientVisibility || read.indirectLight) {
-            for (const char* name : lightPrograms)
+            for (const char* name : {"clear_bricks", "place_bricks", "mark_walls", "fill_bricks"})
                 add(Step::irradiance, lightProgram(name, lights));
             if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
             add(Step::inject, injectProgram(lights));
@@ -194,6 +96,82 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         add(Step::trace, glossProgram(targets.mappedNormals, lights));
     }
     return programs;
+}
+
+// A scene for each combination of what programs depend on, with all materials that it can have.
+std::vector<SceneFeatures> everyScene() {
+    std::vector<SceneFeatures> scenes;
+    for (const unsigned emission : {0U, featureEmissive | featureUnlit})
+        for (const unsigned normalMap : {0U, unsigned{featureNormalMap}})
+            for (const unsigned punctual : {0U, unsigned{featurePunctualLights}})
+                for (const bool glossy : {false, true}) {
+                    SceneFeatures scene;
+                    const unsigned missing =
+                        (featureEmissive | featureUnlit | featureNormalMap | featurePunctualLights) &
+                        ~(emission | normalMap | punctual);
+                    for (const unsigned features : allFeatures())
+                        if ((features & missing) == 0) scene.materialFeatures.push_back(features);
+                    scene.glossy = glossy;
+                    scene.movingObjects = scene.deforms = true;
+                    scenes.push_back(std::move(scene));
+                }
+    return scenes;
+}
+
+// Settings for each combination of what programs depend on.
+std::vector<Settings> everySettings() {
+    std::vector<Settings> all;
+    for (const std::string& preset : presetNames())
+        all.push_back(presetSettings(preset));
+    Settings soft = presetSettings("mobile");
+    soft.shadow = Shadow::softMap;
+    soft.lightRadius = 0.1F;
+    soft.cascades = 2;
+    all.push_back(soft);
+    soft.voxels = Voxels::packed;
+    soft.cascades = 1;
+    all.push_back(soft);
+    const auto sky = std::make_shared<const Environment>(Image(2, 1), "of no light");
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+        all.push_back(all[i]);
+        all.back().environment = sky;
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<gl::ProgramDescription> everyProgram() {
+    std::vector<gl::ProgramDescription> programs{voxelViewProgram(), copyVerticesProgram()};
+    for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
+        programs.push_back(debugViewProgram(view));
+    for (const gl::ProgramDescription& program : driverCheckPrograms())
+        programs.push_back(program);
+    std::set<std::pair<std::vector<std::string>, std::vector<std::string>>> known;
+    const auto addFrames = [&](const Settings& settings, const SceneFeatures& scene,
+                               Voxelization voxelization, bool compactEmitters) {
+        for (const OutputReads& read : outputTable)
+            for (const FrameProgram& use :
+                 programsOf(settings, read.output, scene, voxelization, compactEmitters))
+                if (known.emplace(use.program.shaders, use.program.defines).second)
+                    programs.push_back(use.program);
+    };
+    const std::vector<SceneFeatures> scenes = everyScene();
+    for (const Settings& settings : everySettings())
+        for (const SceneFeatures& scene : scenes) {
+            addFrames(settings, scene, Voxelization::sortedAxes, true);
+            if (settings.voxels == Voxels::packed)
+                addFrames(settings, scene, Voxelization::geometryShader, true);
+            else
+                addFrames(settings, scene, Voxelization::sortedAxes, false);
+        }
+    return programs;
+}
+
+std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
+                                        const gl::Capabilities& capabilities) {
+    // Assumes that all emitters of the scene are compact.
+    return programsOf(settings, mode, features, voxelizationFor(settings.voxels, capabilities), true);
 }
 
 std::vector<unsigned> allFeatures() {
