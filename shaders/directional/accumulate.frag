@@ -1,7 +1,6 @@
 // Second of two passes over the triangles. Each fragment adds its coverage, place, albedo, emission and plane
 // to the sums of the voxel's faces that it covers. The sums are integers, so the order of the fragments does
 // not matter.
-#include "shared/counters.glsl"
 #include "directional/coverage.glsl"
 
 in vec3 fragmentNormal;
@@ -9,7 +8,6 @@ in vec3 fragmentNormal;
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D index;  // the index of the faces in the list
 
 void main() {
-    COUNT(VCT_COUNTER_ACCUMULATE);
     vec3 coverage = fragmentCoverage();
     vec4 baseColor = materialBaseColor();
     if (materialIsHole(baseColor.a)) discard;
@@ -27,7 +25,6 @@ void main() {
     // A loop over set bits, because most surfaces cover one face only. The cell is 0 if the list has no room
     // for the voxel; a later frame has room.
     for (uint left = (fronts | backs) & cell; left != 0u; left &= left - 1u) {
-        COUNT(VCT_COUNTER_ACCUMULATE_FACE);
         int face = findLSB(left);
         uint at = sumsAt(faceId(cell, face));
         float side = (fronts >> uint(face) & 1u) != 0u ? 1.0 : -1.0, weight = abs(coverage[face >> 1]);

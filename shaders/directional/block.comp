@@ -1,6 +1,5 @@
 // Finds the cached rays of static faces that moving objects block, after a new pose. A ray that passes the
 // sphere around an object is traced through the dynamic voxels, up to its cached hit.
-#define VCT_RAY_COUNTER VCT_COUNTER_BLOCK_WALK
 #include "directional/face_rays.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -18,7 +17,6 @@ Objects nextObjects(FaceRays rays, vec3 position, inout uint i) {
     float smallest = 0.001 * max(1.0, float(lightStep.objectCount) / 8.0);
     Objects found = Objects(vec4(0.0), vec4(0.0), vec4(0.0), vec4(1e9), 0);
     for (; i < lightStep.objectCount && found.count < 4; ++i) {
-        COUNT(VCT_COUNTER_BLOCK_OBJECT);
         vec3 offset = (lightStep.object[i].xyz - position) * rays.axes;
         float squared = dot(offset, offset), radius = lightStep.object[i].w;
         if (offset.y <= -radius || radius * radius <= smallest * squared) continue;
@@ -50,7 +48,6 @@ uint[rayWords] raysPastObjects(FaceRays rays) {
         vec3 first = gatherDirection(cachedDirection(rays, 0u));
         vec2 around = first.xz / max(length(first.xz), 1e-6);
         for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
-            COUNT(VCT_COUNTER_BLOCK_RAY);
             float sine = gatherSine(cachedDirection(rays, d)), cosine = sqrt(1.0 - sine * sine);
             vec4 along = objects.x * (around.x * sine) + objects.y * cosine + objects.z * (around.y * sine);
             if (any(greaterThan(along, objects.least))) passing[d >> 5u] |= 1u << (d & 31u);
@@ -74,11 +71,9 @@ float distanceTo(uint hit, FaceRays rays, vec3 direction) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_BLOCK);
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
-        COUNT(VCT_COUNTER_BLOCK_FACE);
         uint at = irradianceAt(id) + VCT_FACE_BLOCKED;
         ListedFace listed = baseFace(id);
         // The rays of merged faces meet moving objects as they are traced.
@@ -101,7 +96,6 @@ void main() {
             for (uint left = passing[w]; left != 0u; left &= left - 1u) {
                 uint d = uint(32 * w + findLSB(left)), hit = cachedHit(id, d);
                 if (!countsInMean(hit)) continue;
-                COUNT(VCT_COUNTER_BLOCK_TRACE);
                 int number = cachedDirection(rays, d);
                 vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
                 float distance;

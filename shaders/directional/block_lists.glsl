@@ -20,7 +20,6 @@ uint maskAt(ivec3 block, out uint shift) {
 void listOfBlock(ivec3 block, uint faces) {
     uint i = faces == 0u ? 0u : reserveFaces(uint(VCT_BRICK_LEVEL), uint(bitCount(faces)));
     for (uint left = faces; left != 0u; left &= left - 1u) {
-        COUNT(VCT_COUNTER_LIST_FACES_BLOCK_FACE);
         storeListed(uint(VCT_BRICK_LEVEL), i++, block, findLSB(left), 0u);
     }
 }

@@ -17,17 +17,14 @@ uint hitInNewLists(uint hit) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_CARRY_HITS);
     uint count = faceCount(dynamicList);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_CARRY_HITS_FACE);
         uint id = commands[dynamicList].firstId + i, from = cachedHit(id, 0u);
         uint known = 0u, backs = 0u;
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
             uvec4 hits = uvec4(VCT_HIT_UNKNOWN);
             if (from != 0u) hits = cachedHits(from - 1u, quad);
-            COUNT(VCT_COUNTER_CARRY_HITS_FOUR);
             hits = uvec4(hitInNewLists(hits.x), hitInNewLists(hits.y), hitInNewLists(hits.z),
                          hitInNewLists(hits.w));
             storeCachedHits(id, quad, hits);

@@ -40,11 +40,9 @@ uint litFace(uint cell, int face) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_CARRY_OVER);
     uint count = faceCount(list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_CARRY_OVER_FACE);
         ListedFace listed = listedFace(list, i);
         uint id = commands[list].firstId + i;
         if (list == 0u && (listed.isMerged || !isFresh(id))) continue;
@@ -52,7 +50,6 @@ void main() {
         uint from = litFace(texelFetch(previousIndex, last.voxel, 0).r, listed.face);
         bool isSame = list != 0u && from != 0u && last.isSame;
         for (int n = 0; n < 27 && from == 0u; ++n) {
-            COUNT(VCT_COUNTER_CARRY_OVER_NEIGHBOUR);
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
             from = litFace(texelFetch(previousIndex, beside, 0).r, listed.face);

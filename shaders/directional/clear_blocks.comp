@@ -5,12 +5,10 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 
 void main() {
-    COUNT(VCT_COUNTER_FACE_CLEAR);
     const uint bricks = uint(VCT_BRICK_LEVEL);
     uint count = faceCount(bricks), side = uint(frame.gridSide) >> bricks;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = commands[bricks].staticFaces + gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_FACE_CLEAR_FACE);
         ListedFace listed = listedFace(bricks, i);
         uvec3 block = uvec3(listed.voxel);
         uint place = block.x + side * (block.y + side * block.z);

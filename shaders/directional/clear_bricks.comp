@@ -2,7 +2,6 @@
 // have moved. Each invocation clears a column of texels.
 #include "directional/cascades.glsl"
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
@@ -11,19 +10,16 @@ layout(r32ui, binding = VCT_IMAGE_STATIC_WALLS) writeonly uniform highp uimage3D
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade whose walls are cleared
 
 void main() {
-    COUNT(VCT_COUNTER_BRICKS_CLEAR);
     ivec2 column = ivec2(gl_GlobalInvocationID);
     if (column == ivec2(0)) fullBricks = flatBricks = 0u;
     ivec3 size = imageSize(irradianceTexels);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
-            COUNT(VCT_COUNTER_BRICKS_CLEAR_TEXEL);
             imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
         }
     size = imageSize(brickSlots);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
-            COUNT(VCT_COUNTER_BRICKS_CLEAR_PLACE);
             imageStore(brickSlots, ivec3(column, z), uvec4(0u));
             int cascade = z / (frame.gridSide >> VCT_BRICK_LEVEL);
             if ((moved >> uint(cascade) & 1u) != 0u) imageStore(staticWalls, ivec3(column, z), uvec4(0u));

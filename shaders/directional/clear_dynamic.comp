@@ -7,12 +7,10 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // index of the older pose
 
 void main() {
-    COUNT(VCT_COUNTER_CLEAR_DYNAMIC);
     uint last = dynamicList, older = last ^ 1u;
     uint lastCount = faceCount(last), olderCount = faceCount(older);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < max(lastCount, olderCount); i += stride) {
-        COUNT(VCT_COUNTER_CLEAR_DYNAMIC_FACE);
         if (i < lastCount) {
             ListedFace listed = listedFace(last, i);
             uint bits = blockWords(listed.voxel >> VCT_BRICK_LEVEL, listed.face, true);

@@ -91,7 +91,6 @@ float visibleShare(EmitterPartUniforms part, SeenPart seen, vec3 start, int casc
     float voxel = 1.0 / voxelsAlongVolume(cascade), visible = 0.0;
     int rays = first;
     for (int i = 0; i < rays; ++i) {
-        COUNT(VCT_EMITTER_RAY);
         // A sequence that covers the square evenly (Roberts 2018, "The unreasonable effectiveness of
         // quasirandom sequences").
         vec2 u = fract(0.5 + float(i) * vec2(0.7548777, 0.5698403));

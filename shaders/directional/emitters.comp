@@ -2,8 +2,6 @@
 // of the part that the face sees. Static faces keep what they see of static parts through static geometry, so
 // that neither an emitter that fades nor a moving object far away costs a ray.
 #include "directional/visited.glsl"
-#define VCT_RAY_COUNTER VCT_COUNTER_EMITTERS_WALK
-#define VCT_EMITTER_RAY VCT_COUNTER_EMITTERS_RAY
 #include "directional/emitter_light.glsl"
 #include "directional/face_irradiance.glsl"
 #include "directional/light_step.glsl"
@@ -21,7 +19,6 @@ float unpackSeenPart(uint bits) {
 // True if a moving object may block the light of a part. Lengths in sides of the volume.
 bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
     for (uint i = 0u; i < lightStep.objectCount; ++i) {
-        COUNT(VCT_COUNTER_EMITTERS_OBJECT);
         vec4 object = lightStep.object[i];
         vec3 offset = object.xyz - position;
         float along = clamp(dot(offset, seen.towards), 0.0, seen.distance);
@@ -31,7 +28,6 @@ bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_EMITTERS);
     uint count = visitedFaceCount(), firstDynamic = commands[dynamicList].firstId;
     uint dynamicCount = faceCount(dynamicList);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
@@ -39,7 +35,6 @@ void main() {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        COUNT(VCT_COUNTER_EMITTERS_FACE);
         SurfacePlane plane = facePlane(id);
         int cascade = cascadeOf(listed.voxel);
         vec3 start =
@@ -47,7 +42,6 @@ void main() {
         vec3 position = volumeFromVoxels(start, cascade), sum = vec3(0.0);
         bool isDynamic = id - firstDynamic < dynamicCount;
         for (int p = 0; p < emitters.count.x; ++p) {
-            COUNT(VCT_COUNTER_EMITTERS_PART);
             EmitterPartUniforms part = emitters.part[p];
             SeenPart seen = seenPart(part, position, plane.normal);
             if (!isStorable(seen.light)) continue;

@@ -8,7 +8,6 @@
 // dynamic objects cover.
 #include "directional/face_data.glsl"
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 
 struct ListedFace {
     ivec3 voxel;

@@ -1,5 +1,4 @@
-// The rays of faces: where they begin, their directions, and what they hit. The including shader defines the
-// counters of directional/ray.glsl.
+// The rays of faces: where they begin, their directions, and what they hit.
 #include "directional/face_lists.glsl"
 #include "directional/ray.glsl"
 #include "directional/face_irradiance.glsl"

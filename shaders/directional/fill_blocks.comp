@@ -4,7 +4,6 @@
 // Bits 0, 1 and 2 of an octant's number are set if its directions point towards +x, +y and +z. A ninth set
 // has the voxels with any face.
 #include "directional/face_data.glsl"
-#include "shared/counters.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(rgba16ui, binding = VCT_IMAGE_BLOCKS) writeonly uniform highp uimage3D blocks;
@@ -16,7 +15,6 @@ void storeBits(ivec3 texel, uvec2 bits) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_FILL_BLOCKS);
     ivec3 texel = ivec3(gl_GlobalInvocationID);
     int side = frame.gridSide / VCT_BRICK_SIDE, depth = side * cascades;
     if (any(greaterThanEqual(texel, ivec3(side, side, imageSize(blocks).z)))) return;
@@ -29,7 +27,6 @@ void main() {
     }
     uvec2 all = uvec2(0u);
     for (int octant = 0; octant < 8; ++octant) {
-        COUNT(VCT_COUNTER_FILL_BLOCKS_OCTANT);
         uvec2 bits = faces[octant & 1] | faces[2 + (octant >> 1 & 1)] | faces[4 + (octant >> 2 & 1)];
         storeBits(texel + ivec3(placeOfSet(octant) * side, 0), bits);
         all |= bits;

@@ -17,7 +17,6 @@ void storeInBricks(ListedFace listed, vec4 texel) {
     ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
-        COUNT(VCT_COUNTER_FILL_BRICKS_TEXEL);
         ivec3 chosen = ivec3(i) >> bit & edge;
         ivec3 other = block + chosen * aside;
         if (other != clampToCascade(other, block, blocks)) continue;
@@ -34,11 +33,9 @@ void storeInBricks(ListedFace listed, vec4 texel) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_FILL_BRICKS);
     uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;

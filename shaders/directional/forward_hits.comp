@@ -22,18 +22,15 @@ uint unknownOf(uvec4 hits) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_FORWARD_HITS);
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
-        COUNT(VCT_COUNTER_FORWARD_HITS_FACE);
         ListedFace listed = baseFace(id);
         // A ray does not meet cascades that are finer than that of its face.
         if (listed.isMerged || cascadeOf(listed.voxel) > findMSB(moved)) continue;
         bool isNew = isFresh(id);
         uint lost = 0u;
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
-            COUNT(VCT_COUNTER_FORWARD_HITS_FOUR);
             uvec4 hits = cachedHits(id, quad);
             uvec4 now = uvec4(hitNow(hits.x, isNew), hitNow(hits.y, isNew), hitNow(hits.z, isNew),
                               hitNow(hits.w, isNew));

@@ -14,22 +14,18 @@ vec3 radianceOf(uint hit) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_GATHER);
     uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_GATHER_FACE);
         uint id = visitedFaceId(i);
         vec3 light = vec3(0.0);
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
-            COUNT(VCT_COUNTER_GATHER_HITS);
             uvec4 hits = cachedHits(id, quad);
             light += radianceOf(hits.x) + radianceOf(hits.y) + radianceOf(hits.z) + radianceOf(hits.w);
         }
         uint at = irradianceAt(id) + VCT_FACE_BLOCKED, first = faceIrradianceData[at];
         uint blocked = faceIrradianceData[at + 1u] & 0xFFFFu;
         for (uint b = 0u; b < blocked; ++b) {
-            COUNT(VCT_COUNTER_GATHER_BLOCKED);
             uint word = faceIrradianceData[first + b];
             light += radianceOf(word & 0xFFFFFFu) - radianceOf(cachedHit(id, word >> 24u));
         }

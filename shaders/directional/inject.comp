@@ -33,7 +33,6 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle, int cas
     vec2 points = vec2(0.0), texels = vec2(0.0);  // x: lit, y: blocked
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        COUNT(VCT_COUNTER_INJECT_POINT);
         vec2 aside = i < 2 ? vec2(0.125, 0.375) : vec2(0.375, -0.125);
         if ((i & 1) == 1) aside = -aside;
         vec3 position = volumeFromVoxels(middle + axes[0] * aside.x + axes[2] * aside.y, cascade);
@@ -63,11 +62,9 @@ vec3 ownRadiance(ListedFace listed, uint id, vec3 albedo) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_INJECT);
     uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_INJECT_FACE);
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         // The sums of a merged dynamic face are added to a static face, which is injected with both.

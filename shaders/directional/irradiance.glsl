@@ -8,7 +8,6 @@
 #include "directional/voxels.glsl"
 #include "directional/cascades.glsl"
 #include "directional/walls.glsl"
-#include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_IRRADIANCE) uniform mediump sampler3D irradiance;
 layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(); 0: no brick
@@ -86,7 +85,6 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
         do {
-            COUNT(VCT_COUNTER_IRRADIANCE_AXIS);
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
@@ -96,7 +94,6 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
         // The 48 fetches of a block belong together.
         bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;
         if (i == tries || whole && sum.a >= (inBlocks ? otherSide * minCoverage : minCoverage)) break;
-        COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
         uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;

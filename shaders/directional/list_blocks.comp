@@ -4,7 +4,6 @@
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 void main() {
-    COUNT(VCT_COUNTER_LIST_BLOCKS);
     ivec3 block = ivec3(gl_GlobalInvocationID);
     int side = frame.gridSide / VCT_BRICK_SIDE;
     if (any(greaterThanEqual(block, ivec3(side, side, side * cascades)))) return;

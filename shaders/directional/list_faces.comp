@@ -25,13 +25,11 @@ uint placeOf(uint count) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_LIST_FACES);
     bool isDynamic = list != 0u;
     uint count = activeVoxelCount(list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint v = (isDynamic ? 0u : commands[0].staticVoxels) + gl_GlobalInvocationID.x; v < count;
          v += stride) {
-        COUNT(VCT_COUNTER_LIST_FACES_VOXEL);
         ivec3 voxel = ivec3(activeVoxel(list, v));
         uint faces = imageLoad(index, voxel).r & VCT_FACE_MASK;
         uint known = isDynamic ? texelFetch(staticIndex, voxel, 0).r : 0u;
@@ -40,7 +38,6 @@ void main() {
         bool fits = first != noIds;
         imageStore(index, voxel, uvec4(fits ? packCell(commands[list].firstId + first, faces) : 0u));
         for (uint left = faces; left != 0u && fits; left &= left - 1u) {
-            COUNT(VCT_COUNTER_LIST_FACES_FACE);
             int face = findLSB(left);
             uint flags = i == first ? VCT_FIRST_FACE : 0u;
             storeListed(list, i++, voxel, face, flags | (hasFace(known, face) ? VCT_MERGED_FACE : 0u));

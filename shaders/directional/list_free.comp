@@ -6,11 +6,9 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 
 void main() {
-    COUNT(VCT_COUNTER_LIST_FREE);
     uint total = faceCount(0u), words = (total + 31u) / 32u;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint word = gl_GlobalInvocationID.x; word < words; word += stride) {
-        COUNT(VCT_COUNTER_LIST_FREE_WORD);
         uint unused = 0u;
         for (uint id = 32u * word; id < min(32u * word + 32u, total); ++id)
             unused += uint(faceData[commands[0].firstFace + id] == VCT_FREE_FACE);

@@ -5,11 +5,9 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 
 void main() {
-    COUNT(VCT_COUNTER_LIST_VISITED);
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
-        COUNT(VCT_COUNTER_LIST_VISITED_FACE);
         // All faces have light now. The first of the ids that share a word clears it.
         if ((id & 31u) == 0u) faceData[freshAt(id)] = 0u;
         uint changed = faceIrradianceData[changedAt(id)];

@@ -1,14 +1,12 @@
 // First of two passes over the triangles: marks the occupied faces of each voxel that has none with ids. The
 // first fragment of a voxel appends it to the list.
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 #include "directional/coverage.glsl"
 
 layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 void main() {
-    COUNT(VCT_COUNTER_MARK_FACES);
     vec3 coverage = fragmentCoverage();
     if (materialHasHoles && materialIsHole(materialBaseColor().a)) discard;
     uint faces = coveredFaces(coverage);

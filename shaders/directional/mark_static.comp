@@ -1,11 +1,9 @@
 // Marks the listed voxels and faces of all levels as static.
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 
 layout(local_size_x = VCT_LIST_DYNAMIC) in;
 
 void main() {
-    COUNT(VCT_COUNTER_MARK_STATIC);
     uint level = gl_LocalInvocationIndex;
     commands[level].staticVoxels = commands[level].voxelCount;
     commands[level].staticFaces = commands[level].faceCount;

@@ -55,7 +55,6 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
     uint second = axis == (faceAxis + 1) % 3 ? 0u : 1u;
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     for (int beside = -1; beside <= 1; ++beside) {
-        COUNT(VCT_COUNTER_MARK_WALLS_BRICK);
         // The brick has a border of one texel, and the texels beside the wall may be in the next block.
         ivec3 block = (voxel >> VCT_BRICK_LEVEL) + beside * along;
         float first = float(block[axis] * VCT_BRICK_SIDE - 1);
@@ -75,7 +74,6 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
         // The limit is for drivers whose comparison never succeeds.
         uint before = imageLoad(walls, texel).r;
         for (int attempt = 0; attempt < 64 && mergeWalls(before, word) != before; ++attempt) {
-            COUNT(VCT_COUNTER_MARK_WALLS_WORD);
             uint seen = imageAtomicCompSwap(walls, texel, before, mergeWalls(before, word));
             if (seen == before) break;
             before = seen;
@@ -84,11 +82,9 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_MARK_WALLS);
     uint count = faceCount(list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_MARK_WALLS_FACE);
         ListedFace listed = listedFace(list, i);
         // A wall has two faces, and is found from the one that looks along its axis.
         if (list == 0u && listed.isMerged) continue;
@@ -111,12 +107,10 @@ void main() {
         // The wall may cross a surface or stand at its edge, so the faces beside it tell.
         vec2 surfaces = float(listed.voxel[axis]) + 0.5 + vec2(back.position, front.position);
         for (int i = 0; i < 2; ++i) {
-            COUNT(VCT_COUNTER_MARK_WALLS_SURFACE);
             ivec3 beside = listed.voxel;
             beside[axis] = int(floor(surfaces[i] + float(i) - 0.5));
             Cells besideCells = cellsAt(beside, listed.voxel);
             for (int turn = 2; turn < 6; ++turn) {
-                COUNT(VCT_COUNTER_MARK_WALLS_CROSSED);
                 // The wall stands in the voxel of the face that it crosses, or in the one in front of it.
                 int face = (2 * axis + turn) % 6;
                 ivec3 crossed = beside;

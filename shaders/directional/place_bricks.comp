@@ -43,7 +43,6 @@ bool isFlat(ListedFace listed, int layer) {
     int axis = listed.face >> 1;
     ivec3 along = ivec3(fromAcross(vec2(0.0), 1.0, axis));
     for (int i = 0; i < 9; ++i) {
-        COUNT(VCT_COUNTER_PLACE_BRICKS_ASIDE);
         ivec3 aside = ivec3(fromAcross(vec2(i % 3, i / 3) - 1.0, 0.0, axis));
         if ((layersAside(listed, aside) & ~(1u << uint(layer))) != 0u) return false;
         if (layer == 3 && (layersAside(listed, aside + along) & 1u) != 0u) return false;
@@ -72,11 +71,9 @@ uint placeOf(ListedFace listed) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_PLACE_BRICKS);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_PLACE_BRICKS_FACE);
         ListedFace listed = listedFace(level, i);
         uint brick = placeOf(listed);
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);

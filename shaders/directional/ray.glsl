@@ -1,11 +1,9 @@
 // Rays through the directional voxels. A ray walks from voxel to voxel (Amanatides and Woo 1987), skips empty
 // blocks of voxels, and ends where it meets the plane of a face that looks against it, inside of the face's
 // voxel. So a wall blocks light however thin it is, and its two sides stay two surfaces. Lengths are in
-// voxels. The including shader defines VCT_RAY_COUNTER, the first of four counters: walks to an occupied
-// voxel, their steps, faces in such a voxel, and other faces that limit a plane.
+// voxels.
 #include "directional/face_data.glsl"
 #include "directional/voxels.glsl"
-#include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
 
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
@@ -39,7 +37,6 @@ bool covers(uint staticCell, uint dynamicCell, bool isStatic, int axis, uint sur
             vec3 point, float dice) {
     FaceExtent extent = unpackExtent(extentWord);
     for (uint left = extent.inFront | extent.behind; left != 0u; left &= left - 1u) {
-        COUNT(VCT_RAY_COUNTER + 3);
         int face = findLSB(left);
         SurfacePlane other = facePlane(surfaceId(staticCell, dynamicCell, face, isStatic));
         float above = dot(point, other.normal) - other.offset;
@@ -62,7 +59,6 @@ uint firstFace(uint staticCell, uint dynamicCell, bool isStatic, uint faces, boo
     uint id = noFace;
     float best = 0.0, limit = reach;
     for (uint left = faces; left != 0u; left &= left - 1u) {
-        COUNT(VCT_RAY_COUNTER + 2);
         int face = findLSB(left), axis = face >> 1;
         uint at = faceAt(surfaceId(staticCell, dynamicCell, face, isStatic));
         uint surface = faceData[at + VCT_FACE_SURFACE];
@@ -123,11 +119,9 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
         ivec3 voxel = clamp(ivec3(floor(origin + direction * (now + 1e-4))), low, high);
         bool isInside = true, isTested = false;  // the ray has met no face in the voxel
         while (isInside && now < end) {
-            COUNT(VCT_RAY_COUNTER);
             // Walk to the next voxel with a face that looks against the ray.
             bool isOccupied = false;
             do {
-                COUNT(VCT_RAY_COUNTER + 1);
                 uvec4 bits = occupiedVoxels(voxel >> VCT_BRICK_LEVEL, set, geometry);
                 uint place = uint((voxel.x & 3) + 4 * (voxel.y & 3));
                 uvec2 layers = (voxel.z & 2) == 0 ? bits.xy : bits.zw;

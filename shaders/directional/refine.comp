@@ -1,23 +1,19 @@
 // At rest, traces rays that refine the mean of each face. Their hits are not kept.
-#define VCT_RAY_COUNTER VCT_COUNTER_REFINE_WALK
 #include "directional/face_rays.glsl"
 #include "directional/visited.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
 void main() {
-    COUNT(VCT_COUNTER_REFINE);
     uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_REFINE_FACE);
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceRays rays = raysOf(listed, id);
         vec4 sum = vec4(0.0);
         for (uint r = 0u; r < lightStep.refiningRays; ++r) {
-            COUNT(VCT_COUNTER_REFINE_RAY);
             int number = refiningDirection(rays, lightStep.firstRefining + r);
             vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
             float distance;

@@ -2,7 +2,6 @@
 // current one. The lists then hold the static geometry, or no voxels if that is listed as well. Static faces
 // keep their ids in any case.
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 
 layout(local_size_x = VCT_LISTS) in;
 layout(location = VCT_UNIFORM_STATIC) uniform uint withStatic;
@@ -12,7 +11,6 @@ uint groupsOf(uint count) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_RESET_LISTS);
     uint list = gl_LocalInvocationIndex, nextDynamic = dynamicList ^ 1u;
     barrier();
     if (list == 0u) {

@@ -32,7 +32,6 @@ uint pointsInside(SurfacePlane plane, int axis) {
 uint pointsInFront(SurfacePlane plane, int axis, uint points, SurfacePlane other) {
     uint inFront = 0u;
     for (uint left = points; left != 0u; left &= left - 1u) {
-        COUNT(VCT_COUNTER_RESOLVE_POINT);
         int i = findLSB(left);
         if (dot(pointOnPlane(plane, axis, pointAcross(i)), other.normal) > other.offset)
             inFront |= 1u << uint(i);
@@ -48,12 +47,10 @@ int mainFace(vec3 normal) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_RESOLVE);
     uint count = baseFaceCount();
     bool hasDynamic = faceCount(dynamicList) > 0u;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_RESOLVE_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
         bool isStatic = id < commands[0].faceCapacity;
@@ -79,7 +76,6 @@ void main() {
             // The surface ends in the voxel: at other surfaces, or else as its middle tells.
             uint cells = staticCell | dynamicCell;
             for (uint left = cells & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
-                COUNT(VCT_COUNTER_RESOLVE_OTHER);
                 int face = findLSB(left);
                 if (face == listed.face) continue;
                 FaceSums otherSums = combinedSums(staticCell, dynamicCell, face);

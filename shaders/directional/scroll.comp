@@ -28,11 +28,9 @@ uint idInNextCascade(ivec3 voxel, int own, int face) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_SCROLL);
     uint total = faceCount(0u), list = commands[0].firstFace;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < total; id += stride) {
-        COUNT(VCT_COUNTER_SCROLL_FACE);
         uint entry = faceData[list + id];
         if (entry == VCT_FREE_FACE) {
             if (!isFree(id)) atomicOr(faceData[freeAt(id)], 1u << (id & 31u));
@@ -46,7 +44,6 @@ void main() {
         // The other faces of the voxel follow, without the mark of a first face.
         uint faces = 0u, count = 0u;
         do {
-            COUNT(VCT_COUNTER_SCROLL_OF_VOXEL);
             int face = int(unpackFace(entry));
             faces |= 1u << uint(face);
             if (stays) {

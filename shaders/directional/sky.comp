@@ -1,22 +1,18 @@
 // Computes the sky's part of each face's irradiance again from the cached hits, after the sky has changed.
-#define VCT_RAY_COUNTER VCT_COUNTER_REFINE_WALK  // it traces none
 #include "directional/face_rays.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
 void main() {
-    COUNT(VCT_COUNTER_SKY);
     uint count = baseFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_SKY_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceRays rays = raysOf(listed, id);
         vec4 sky = vec4(0.0);
         for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
-            COUNT(VCT_COUNTER_SKY_HIT);
             uint hit = cachedHit(id, d);
             vec3 aroundNormal = gatherDirection(cachedDirection(rays, d));
             if (countsInMean(hit)) sky += skyOf(hit, rays.axes * aroundNormal, aroundNormal);

@@ -36,12 +36,10 @@ vec4 corrected(vec4 smoothNow, vec4 known, vec4 refined) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_SMOOTH);
     if (gl_GlobalInvocationID.x == 0u) blockedRays = 0u;  // for the next step
     uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_SMOOTH_FACE);
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;

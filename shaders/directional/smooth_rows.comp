@@ -11,11 +11,9 @@ WeightedMean besideMean(uint id) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_SMOOTH_ROWS);
     uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_SMOOTH_ROWS_FACE);
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;

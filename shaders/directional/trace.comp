@@ -1,7 +1,6 @@
 // Traces cached rays: those that have hit nothing yet, a few per face and step, and of moving objects' faces
 // some of all rays again. Rays of static faces meet static geometry, so that their hits stay
 // (directional/block.comp finds the moving objects before them).
-#define VCT_RAY_COUNTER VCT_COUNTER_TRACE_WALK
 #include "directional/face_rays.glsl"
 #include "directional/visited.glsl"
 
@@ -48,14 +47,12 @@ bool isMergedNow(ListedFace listed) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_TRACE);
     uint count = visitedFaceCount(), firstDynamic = commands[dynamicList].firstId;
     uint dynamicCount = faceCount(dynamicList);
     uint again =
         clamp(lightStep.movingRays / max(dynamicCount, 1u), lightStep.minMovingRays, uint(VCT_DIRECTIONS));
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_TRACE_FACE);
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
@@ -79,7 +76,6 @@ void main() {
         for (uint r = 0u; r < number; ++r, ++d) {
             d = isDynamic ? d % uint(VCT_DIRECTIONS) : nextUnknown(id, d);
             if (d >= uint(VCT_DIRECTIONS)) break;
-            COUNT(VCT_COUNTER_TRACE_RAY);
             int direction = cachedDirection(rays, d);
             vec3 aroundNormal = gatherDirection(direction), towards = rays.axes * aroundNormal;
             float distance;

@@ -7,11 +7,9 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade
 
 void main() {
-    COUNT(VCT_COUNTER_UNLIST_STATIC);
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
-        COUNT(VCT_COUNTER_UNLIST_STATIC_FACE);
         ListedFace listed = baseFace(id);
         if (listed.isMerged || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
         ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;

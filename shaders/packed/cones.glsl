@@ -1,7 +1,6 @@
 // The thesis's two kinds of cones (4.6), for diffuse light and for the shadow, with the constants of its
 // published program.
 #include "shared/orthonormal.glsl"
-#include "shared/counters.glsl"
 #include "shared/sky.glsl"
 #include "packed/voxel_sample.glsl"
 
@@ -39,7 +38,6 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
     mat3 volumeFromCone = frameAround(normal);
     Gather gather = Gather(vec3(0.0), 0.0);
     for (int i = 0; i < diffuseConeCount; ++i) {
-        COUNT(VCT_COUNTER_DIFFUSE_CONE);
         vec3 direction = volumeFromCone * diffuseCones[i];
         mediump vec3 radiance = vec3(0.0);
         mediump float opacity = 0.0;
@@ -49,7 +47,6 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
              ++level) {
             vec3 p = start + direction * distance;
             if (outsideVolume(p, level)) break;
-            COUNT(VCT_COUNTER_DIFFUSE_STEP);
             mediump vec4 value = sampleVoxels(p, level) * (1.0 - opacity);
             radiance = radiance + value.rgb;
             opacity = opacity + value.a;
@@ -90,7 +87,6 @@ mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
         if (outsideVolume(p, min(fine + 1, findMSB(frame.gridSide)))) break;
-        COUNT(VCT_COUNTER_SHADOW_STEP);
         mediump float blend = level - float(fine);
         mediump float value = sampleOpacity(p, fine);
         if (blend > 0.0) value = mix(value, sampleOpacity(p, fine + 1), blend);

@@ -2,7 +2,6 @@
 // voxel adds itself to its parent with one atomic operation; the first child appends the parent to the next
 // list.
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) readonly uniform uimage3D voxels;
@@ -10,11 +9,9 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D parents;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    COUNT(VCT_COUNTER_MIPMAPPER);
     uint count = activeVoxelCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_MIPMAPPER_VOXEL);
         uvec3 voxel = activeVoxel(level, i);
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;

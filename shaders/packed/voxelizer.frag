@@ -1,7 +1,6 @@
 // Writes one packed voxel per fragment: material and direct light (thesis 4.4). imageAtomicMax() keeps the
 // largest word, so the order of fragments affects only the order of the active-voxel list.
 #include "shared/commands.glsl"
-#include "shared/counters.glsl"
 #include "shared/material.glsl"
 #include "shared/normals.glsl"
 #include "shared/shadow.glsl"
@@ -27,7 +26,6 @@ in vec3 fragmentNormal;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform uimage3D voxels;
 
 void main() {
-    COUNT(VCT_COUNTER_VOXELIZER);
     vec4 baseColor = materialBaseColor();
     if (materialIsUnlit) baseColor.rgb = vec3(0.0);
     if (materialIsHole(baseColor.a)) discard;

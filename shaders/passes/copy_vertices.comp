@@ -1,5 +1,5 @@
 // Copies vertices from buffers of the embedding program to those that passes/deform.comp reads.
-#include "shared/counters.glsl"
+#include "shared/layout.h"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_DEFORM) uniform uint ranges[VCT_DEFORM_RANGES];
@@ -17,7 +17,6 @@ layout(std430, binding = VCT_SSBO_DEFORM_SOURCES) buffer SourceBlock {
 void main() {
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint vertex = gl_GlobalInvocationID.x; vertex < ranges[VCT_DEFORM_COUNT]; vertex += stride) {
-        COUNT(VCT_COUNTER_DEFORM_VERTEX);
         uint p = ranges[VCT_COPY_FIRST_POSITION] + vertex * ranges[VCT_COPY_POSITION_STRIDE];
         uint n = ranges[VCT_COPY_FIRST_NORMAL] + vertex * ranges[VCT_COPY_NORMAL_STRIDE];
         uint at = ranges[VCT_DEFORM_FIRST_SOURCE] + vertex;

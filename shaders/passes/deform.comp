@@ -1,7 +1,7 @@
 // Deforms the vertices of a mesh in the present pose: morph targets first, then joints (glTF 2.0, sections
 // 3.7.2.2 and 3.7.3.3). The result is in volume space, in the buffer from which all passes read vertices.
 // jni/scene/deformation.cpp has the same formulas for the CPU.
-#include "shared/counters.glsl"
+#include "shared/layout.h"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_DEFORM) uniform uint ranges[VCT_DEFORM_RANGES];
@@ -22,7 +22,6 @@ void displace(uint vertex, inout vec3 position, inout vec3 normal) {
     for (uint target = 0u; target < ranges[VCT_DEFORM_TARGETS]; ++target) {
         float weight = state[ranges[VCT_DEFORM_FIRST_WEIGHT] + target].x;
         if (weight == 0.0) continue;
-        COUNT(VCT_COUNTER_DEFORM_TARGET);
         uint at = ranges[VCT_DEFORM_FIRST_DISPLACEMENT] + 6u * (target * ranges[VCT_DEFORM_COUNT] + vertex);
         position += weight * vec3(displacements[at], displacements[at + 1u], displacements[at + 2u]);
         normal += weight * vec3(displacements[at + 3u], displacements[at + 4u], displacements[at + 5u]);
@@ -49,10 +48,8 @@ vec3 turned(vec4 x, vec4 y, vec4 z, vec3 normal) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_DEFORM);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint vertex = gl_GlobalInvocationID.x; vertex < ranges[VCT_DEFORM_COUNT]; vertex += stride) {
-        COUNT(VCT_COUNTER_DEFORM_VERTEX);
         DeformSource source = sources[ranges[VCT_DEFORM_FIRST_SOURCE] + vertex];
         vec3 position = source.position, normal = source.normal;
         displace(vertex, position, normal);

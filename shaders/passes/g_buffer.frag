@@ -1,6 +1,5 @@
 // Writes the G-buffer: albedo and normal, and emission and gloss if the scene has them. The position follows
 // from the depth buffer.
-#include "shared/counters.glsl"
 #include "shared/material.glsl"
 #include "shared/face_normal.glsl"
 #include "shared/normals.glsl"
@@ -81,7 +80,6 @@ vec3 mappedNormal(vec3 normal) {
 #endif
 
 void main() {
-    COUNT(VCT_COUNTER_G_BUFFER);
     vec4 baseColor = materialBaseColor();
     vec3 normal = safeNormalize(fragmentNormal);
     if (!gl_FrontFacing) normal = -normal;

@@ -1,10 +1,7 @@
 // Adds the light that glossy surfaces reflect from around the mirror direction to the last pass's picture. A
 // smooth surface traces a few rays in each pixel. A rough one interpolates between the samples of
 // passes/gloss_half.frag, as far as they belong to the same surface, and traces its own rays if none does.
-#include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
-#define VCT_RAY_COUNTER VCT_COUNTER_GLOSS_WALK
-#define VCT_REFLECTION_RAY VCT_COUNTER_GLOSS_RAY
 #include "passes/reflection.glsl"
 
 layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
@@ -26,7 +23,6 @@ mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float
     ivec2 lastBlock = textureSize(halfGloss, 0) - 1;
     mediump vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
-        COUNT(VCT_COUNTER_GLOSS_SAMPLE);
         ivec2 block = clamp(((pixel - 1) >> 1) + ivec2(i & 1, i >> 1), ivec2(0), lastBlock);
         mediump vec4 found = texelFetch(halfGloss, block, 0);
         int index = int(found.a) - 1;
@@ -40,7 +36,6 @@ mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float
 }
 
 void main() {
-    COUNT(VCT_COUNTER_GLOSS);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     mediump float roughness = texelFetch(glossTarget, pixel, 0).g;
     vec3 position = surfacePosition(gl_FragCoord.xy, surfaceDepth(pixel));

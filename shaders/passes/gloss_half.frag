@@ -1,10 +1,7 @@
 // Reflections of rough surfaces in half the resolution: a few rays in the lobe, for each block of 2 x 2
 // pixels that shows a surface whose lobe is so wide that passes/gloss.frag can interpolate between
 // neighbouring blocks. The other blocks are 0 (passes/gloss_mark.frag).
-#include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
-#define VCT_RAY_COUNTER VCT_COUNTER_GLOSS_HALF_WALK
-#define VCT_REFLECTION_RAY VCT_COUNTER_GLOSS_HALF_RAY
 #include "passes/reflection.glsl"
 
 layout(early_fragment_tests) in;
@@ -12,7 +9,6 @@ layout(early_fragment_tests) in;
 layout(location = 0) out mediump vec4 outSample;
 
 void main() {
-    COUNT(VCT_COUNTER_GLOSS_HALF);
     ivec2 block = ivec2(gl_FragCoord.xy);
     int index = roughPixel(block);
     ivec2 pixel = pixelOf(block, index);

@@ -168,7 +168,6 @@ vec3 reflectedLight(vec3 position, vec3 normal, float roughness, int rays, vec2 
     RayStart start = rayStartAt(position, normal);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < rays; ++i) {
-        COUNT(VCT_REFLECTION_RAY);
         vec2 u = rays == 1 ? vec2(0.0) : fract(turn + float(i) * vec2(0.7548777, 0.5698403));
         float narrowing = 1.0 + (alpha * alpha - 1.0) * u.x;
         float cosine = sqrt((1.0 - u.x) / narrowing);

@@ -1,7 +1,6 @@
 // The last pass: computes the light of each pixel in one of the five modes (thesis 4.6, 5.1.2), or a part of
 // the light. Each output has a variant: VCT_MODE is its number, and VCT_SHOWS_* are its inputs
 // (jni/engine/output.h).
-#include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
 #include "shared/sky.glsl"
@@ -181,7 +180,6 @@ mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float co
 }
 
 void main() {
-    COUNT(VCT_COUNTER_CONE_TRACER);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = surfaceDepth(pixel);
     if (depth == frame.farDepth) {

@@ -2,13 +2,12 @@
 // compared, so each texel takes one of its four. Half of the four block where an edge is in their middle: the
 // second nearest counts them as blocked, and the third as free. Levels take turns, because otherwise blockers
 // would grow or shrink from level to level. Turns within a level would draw dashes along the edges.
-#include "shared/counters.glsl"
+#include "shared/layout.h"
 
 layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D finer;  // limited to the finer level
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    COUNT(VCT_COUNTER_SHADOW_LEVEL);
     vec4 four = textureGather(finer, 2.0 * gl_FragCoord.xy / vec2(textureSize(finer, 0)));
     vec2 nearer = min(four.xz, four.yw), farther = max(four.xz, four.yw);
     vec2 middle = vec2(max(nearer.x, nearer.y), min(farther.x, farther.y));

@@ -8,7 +8,7 @@
 // lights it is the blocker's distance from the receiver divided by its distance from the light; for
 // directional lights it is the distance from the receiver in sides of the volume. Depths in the map are
 // proportional to it, up to a constant.
-#include "shared/counters.glsl"
+#include "shared/layout.h"
 
 const int sourceSearchTaps = 16;
 const int sourceFilterTaps = 32;  // penumbrae wider than so many texels show steps of 1/32
@@ -63,7 +63,6 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     BlockerSearch search = BlockerSearch(0.0, 0.0);
     vec2 direction = vec2(1.0, 0.0);
     for (int tap = 0; tap < sourceSearchTaps; ++tap) {
-        COUNT(VCT_COUNTER_BLOCKER_TAP);
         float radius = float(tap) / float(sourceSearchTaps - 1);
         radius *= radius * reach;
         Beside there =
@@ -85,7 +84,6 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     vec2 mapSize = vec2(textureSize(lightMaps, 0).xy);
     float seen = 0.0;
     for (int tap = 0; tap < sourceFilterTaps; ++tap) {
-        COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = penumbra * sqrt((float(tap) + 0.5) / float(sourceFilterTaps));
         Beside there =
             projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));

@@ -5,7 +5,6 @@
 // leave no gaps and the cost does not grow with the width. Behind a straight edge, the root mean square
 // error in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
 #include "shared/shadow.glsl"
-#include "shared/counters.glsl"
 
 // The taps of the search form a Vogel disc whose radii grow by more than a uniform disc's, because blockers
 // close to the receiver are within the cone only near its axis. These are the offsets of eight taps in
@@ -107,7 +106,6 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     float distance = 0.0;
     float light = 0.0;
     for (int i = 0; i < filterTaps / 4; ++i) {
-        COUNT(VCT_COUNTER_FILTER_TAP);
         float farther = sqrt((float(i) + 0.5) / float(filterTaps / 4));
         middle.z -= inCone * (farther - distance);
         distance = farther;

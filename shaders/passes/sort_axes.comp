@@ -1,7 +1,6 @@
 // Writes the triangles of a deformed mesh three times, once per axis. In the range of an axis, triangles with
 // another dominant axis shrink to a point, which the rasterizer drops. Rigid meshes are sorted on the CPU
 // instead (jni/engine/axis_sort.h).
-#include "shared/counters.glsl"
 #include "shared/dominant_axis.h"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -23,11 +22,9 @@ vec3 positionOf(uint corner) {
 }
 
 void main() {
-    COUNT(VCT_COUNTER_SORT_AXES);
     uint count = ranges[VCT_DEFORM_COUNT];
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint triangle = gl_GlobalInvocationID.x; triangle < count; triangle += stride) {
-        COUNT(VCT_COUNTER_SORT_AXES_TRIANGLE);
         uint first = ranges[VCT_SORT_FIRST_CORNER] + 3u * triangle;
         uvec3 corner = uvec3(corners[first], corners[first + 1u], corners[first + 2u]);
         int axis = dominantAxis(positionOf(corner.x), positionOf(corner.y), positionOf(corner.z));
