@@ -15,7 +15,7 @@ StageCount countOf(const std::string& shader, const CountedShader& counted,
                    const std::vector<std::uint32_t>& counts) {
     StageCount count{shader, counts[counted.invocations], {}};
     for (const ShaderLoop& loop : counted.loops)
-        count.loops.push_back({loop.place, loop.depth, loop.constant, counts[loop.counter]});
+        count.loops.push_back({loop, counts[loop.counter]});
     return count;
 }
 

@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "gl/program.h"
+#include "lab/shader_loops.h"
 
 namespace vct {
 
-struct LoopCount {
-    std::string place;         // "directional/ray.glsl:131"
-    int depth;                 // number of loops around it
-    bool constant;             // its length is constant, so the compiler may unroll it
+struct LoopCount : ShaderLoop {
     std::uint32_t iterations;  // begun ones, by all calls of the loop's function together
 };
 
