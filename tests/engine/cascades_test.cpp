@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "engine/frame_uniforms.h"
@@ -14,6 +15,7 @@
 #include "scene/light_choice.h"
 #include "support/face_irradiance.h"
 #include "support/frame_inspector.h"
+#include "support/gl_spy.h"
 #include "support/grids.h"
 #include "support/moving_scenes.h"
 #include "support/renderers.h"
@@ -294,6 +296,34 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
     }
     EXPECT_GE(compared, 4);
     EXPECT_GE(onlyFinest, 2);
+}
+
+// A driver may refuse to set a uniform that the linked program does not have, as NVIDIA's does.
+TEST(CascadesOnAWalk, SetUniformsOnlyOfProgramsThatHaveThem) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Settings settings = smallPreset("mobile");
+    settings.cascades = 3;
+    std::map<GLint, int> missing;
+    const GlSpy<&gl::Uniform1ui> uniforms([&](GLint location, GLuint) {
+        GLint program = 0;
+        gl::GetIntegerv(GL_CURRENT_PROGRAM, &program);
+        for (const char* name :
+             {"level", "list", "cascade", "shift", "moved", "changed", "withStatic", "rebuilds", "visitsAll",
+              "showsVisibility", "tileIndex", "axis", "map", "shifts[0]", "shifts[1]", "shifts[2]"})
+            if (gl::GetUniformLocation(static_cast<GLuint>(program), name) == location) return;
+        ++missing[location];
+    });
+    Renderer walking = makeRenderer(context, scene, chooseLight(scene), settings);
+    for (int frame = 0; frame < 14; ++frame) {
+        const glm::dvec3 eye =
+            walking.volume().minWorld + walking.volume().side * glm::dvec3(0.3 + 0.022 * frame, 0.3, 0.4);
+        walking.setPose(poseAt(scene.animation, frame < 4 ? 0.0 : 0.1 * frame));
+        walking.render({{Output::gi}, lookAt(eye, eye + glm::dvec3(0, -0.2, 1), 75)});
+    }
+    for (const auto& [location, count] : missing)
+        ADD_FAILURE() << count << " calls set a uniform at location " << location
+                      << " of a program that has none there";
 }
 
 // The words of the bricks that thin walls cross; 0 for the others.

@@ -163,6 +163,12 @@ void Irradiance::run(const gl::Program& program, const DirectionalVoxels& voxels
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void Irradiance::runOverAll(const gl::Program& program, const DirectionalVoxels& voxels) const {
+    program.use();
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
 void Irradiance::dispatchOverVisited(const DirectionalVoxels& voxels) const {
     if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, plan_.visitsAll ? 1 : 0);
     voxels.index().dispatchOverFaces(plan_.visitsAll ? 0 : VCT_LIST_VISITED);
@@ -186,23 +192,21 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     // The new ids of all faces are known before any hit is copied.
-    const auto run = [&](const gl::Program& program) {
-        program.use();
-        if (&program != &*carryHits_) gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
-        voxels.index().dispatchOverFaces(0);
-        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    };
-    if (moved != 0) run(*forwardHits_);
-    if (voxels.hasDynamicObjects()) run(*carryHits_);
+    if (moved != 0) {
+        forwardHits_->use();
+        gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+        runOverAll(*forwardHits_, voxels);
+    }
+    if (voxels.hasDynamicObjects()) runOverAll(*carryHits_, voxels);
 }
 
 void Irradiance::gather(const DirectionalVoxels& voxels) {
     const gl::DebugGroup group("gather");
     bind(voxels);
     voxels.bindForRays();
-    if (plan_.updatesSky) run(sky_, voxels);
+    if (plan_.updatesSky) runOverAll(sky_, voxels);
     if (plan_.traces) run(trace_, voxels);
-    if (block_ && (plan_.traces || plan_.updatesSky)) run(*block_, voxels);
+    if (block_ && (plan_.traces || plan_.updatesSky)) runOverAll(*block_, voxels);
     run(gather_, voxels);
     if (plan_.refiningStep >= 0) run(refine_, voxels);
     run(smoothRows_, voxels);

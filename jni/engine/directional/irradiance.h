@@ -106,6 +106,7 @@ class Irradiance {
     void uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const;
     // Dispatches a program over the faces that the step visits; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
+    void runOverAll(const gl::Program& program, const DirectionalVoxels& voxels) const;  // over all faces
     // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
     // static geometry has changed, a bit for each. Its new faces get light as well.
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const;
