@@ -41,11 +41,14 @@ bool isKept(ivec3 voxel) {
 }
 #endif
 
-// One bit for each face that the fragment covers.
+// One bit for each face that the fragment covers. Less than a slope of 1/500 covers nothing.
+bool covers(float coverage) {
+    return coverage > 1.0 / 8192.0 && fixedCoverage(coverage) > 0u;
+}
 uint coveredFaces(vec3 coverage) {
     uint faces = 0u;
-    if (fixedCoverage(abs(coverage.x)) > 0u) faces |= coverage.x > 0.0 ? 1u : 2u;
-    if (fixedCoverage(abs(coverage.y)) > 0u) faces |= coverage.y > 0.0 ? 4u : 8u;
-    if (fixedCoverage(abs(coverage.z)) > 0u) faces |= coverage.z > 0.0 ? 16u : 32u;
+    if (covers(abs(coverage.x))) faces |= coverage.x > 0.0 ? 1u : 2u;
+    if (covers(abs(coverage.y))) faces |= coverage.y > 0.0 ? 4u : 8u;
+    if (covers(abs(coverage.z))) faces |= coverage.z > 0.0 ? 16u : 32u;
     return faces;
 }

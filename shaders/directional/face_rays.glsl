@@ -14,10 +14,28 @@ struct FaceRays {
     int place;          // of the face in its layer of the block, 0..15
     float reach, near;  // voxels: length of rays, and distance of ambient occlusion
 };
+// The height above a face's surface at which its rays begin, in voxels. It is in front of the voxel's other
+// surfaces that look the same way, because the planes of a round surface lie behind one another.
+float heightOfStart(ListedFace listed, uint id, SurfacePlane plane, vec3 middle) {
+    const float sameWay = 0.5, limit = 0.6;
+    float height = startHeight;
+    uint cell = texelFetch(staticIndex, listed.voxel, 0).r;
+    if (!hasFace(cell, listed.face) || faceId(cell, listed.face) != id)
+        cell = texelFetch(dynamicIndex, listed.voxel, 0).r;
+    for (uint left = cell & VCT_FACE_MASK & ~(1u << uint(listed.face)); left != 0u; left &= left - 1u) {
+        SurfacePlane other = facePlane(faceId(cell, findLSB(left)));
+        float cosine = dot(plane.normal, other.normal);
+        float behind = other.offset - dot(middle - vec3(listed.voxel) - 0.5, other.normal);
+        if (cosine > sameWay) height = max(height, startHeight + behind / cosine);
+    }
+    return min(height, limit);
+}
+
 FaceRays raysOf(ListedFace listed, uint id) {
     SurfacePlane plane = facePlane(id);
     int axis = listed.face >> 1, cascade = cascadeOf(listed.voxel);
-    vec3 start = surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id)) + startHeight * plane.normal;
+    vec3 middle = surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id));
+    vec3 start = middle + heightOfStart(listed, id, plane, middle) * plane.normal;
     float side = voxelsAlongVolume(cascade);
     return FaceRays(start, cascade, frameAround(plane.normal), listed.voxel, indexInBlock(listed.voxel, axis),
                     2.0 * side, frame.aoDistance * side);

@@ -67,12 +67,12 @@ void main() {
         float coverage = min(sums.coverage, 1.0), weight = max(sums.coverage, 1e-4);
         vec2 place = sums.place / weight - 0.5;
         vec3 middle = pointOnPlane(plane, axis, place);
-        // Coverage has steps of a quarter. They are exact where the surface looks along the axis.
-        float step = abs(plane.normal[axis]) > 0.99 ? 0.1 : 0.3;
+        // Coverage has steps of 1/16. They are exact where the surface looks along the axis.
+        float step = abs(plane.normal[axis]) > 0.99 ? 0.06 : 0.09;
         uint points = pointsInside(plane, axis);
         float planeCoverage = coverageOf(points);
         FaceExtent extent = FaceExtent(coverage, isCurved(visible), place, 0u, 0u);
-        if (coverage < planeCoverage - min(step, 0.2)) {
+        if (coverage < planeCoverage - min(step, 0.1)) {
             // The surface ends in the voxel: at other surfaces, or else as its middle tells.
             uint cells = staticCell | dynamicCell;
             for (uint left = cells & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
@@ -101,7 +101,7 @@ void main() {
             planeCoverage = coverageOf(points);
         }
         bool ends = (extent.inFront | extent.behind) != 0u;
-        if (ends) step = 0.3;
+        if (ends) step = 0.12;
         float opacity = 1.0;
         if (coverage < planeCoverage - step) {
             float covered = ends
@@ -111,11 +111,15 @@ void main() {
             opacity = coverage >= covered - step ? 0.996 : coverage / max(covered, 0.05);
         }
         // A surface that looks past its face is met at the face that it looks towards. There what it covers
-        // is known better: on a round column of one voxel, such faces would make it half as wide again.
+        // is known better: on a round column of one voxel, such faces would make it half as wide again. The
+        // two faces of a flat surface have the same plane. Those of a round one have not, but look alike.
         int most = mainFace(plane.normal);
         if (abs(plane.normal[axis]) < 0.3 && hasFace(staticCell | dynamicCell, most)) {
-            SurfacePlane other = unpackPlane(visiblePlane(combinedSums(staticCell, dynamicCell, most), most));
-            if (dot(plane.normal, other.normal) > 0.97 && abs(plane.offset - other.offset) < 0.05) {
+            uint mostVisible = visiblePlane(combinedSums(staticCell, dynamicCell, most), most);
+            SurfacePlane other = unpackPlane(mostVisible);
+            bool isRound = isCurved(visible) && isCurved(mostVisible);
+            if (dot(plane.normal, other.normal) > (isRound ? 0.8 : 0.97) &&
+                (isRound || abs(plane.offset - other.offset) < 0.05)) {
                 opacity = 0.0;
                 extent.inFront = extent.behind = 0u;
             }

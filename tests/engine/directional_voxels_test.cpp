@@ -153,7 +153,7 @@ TEST(FaceCoverage, AMirroredInstanceKeepsItsFrontInFront) {
 }
 
 TEST(FaceSums, NoSumOverAllTrianglesOverflowsAndSmallScenesLoseNothing) {
-    EXPECT_EQ(faceSumUnits(1), 4096.0F);
+    EXPECT_EQ(faceSumUnits(1), 65536.0F);
     for (std::uint64_t triangles = 1; triangles < 1ULL << 32; triangles += 1 + triangles / 3)
         for (const std::uint64_t n : {triangles, triangles + 1}) {
             const float units = faceSumUnits(n);

@@ -65,7 +65,7 @@ std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
 
 float faceSumUnits(std::size_t triangles) {
     const std::size_t room = 0xFFFFFFFFU / std::max<std::size_t>(triangles, 1);
-    return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
+    return static_cast<float>(std::clamp<std::size_t>(room, 1, 65536));
 }
 
 DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, int cascades,
