@@ -104,9 +104,10 @@ void main() {
                 if ((nearer & ~VCT_HIT_NEAR) == VCT_HIT_SKY) continue;
                 faceIrradianceData[lightStep.firstBlocked + first + found] = packBlocked(d, nearer);
                 ++found;
-                sky -= skyOf(hit, towards, aroundNormal);
+                vec3 skyThere = skyAlong(towards, aroundNormal);
+                sky -= skyOf(hit, skyThere);
                 if (countsInMean(nearer))
-                    sky += skyOf(nearer, towards, aroundNormal);
+                    sky += skyOf(nearer, skyThere);
                 else
                     ++backs;
             }

@@ -66,13 +66,16 @@ uint traceFrom(FaceRays rays, vec3 direction, float reach, int number, uint geom
     return code | (hit.distance < rays.near ? VCT_HIT_NEAR : 0u);
 }
 
-// The part of a face's mean that a direction adds besides the radiance of faces: the sky's light, and in
+// The sky's light along a direction.
+vec3 skyAlong(vec3 direction, vec3 aroundNormal) {
+    return skyLight(visibleSky(direction, gatherSolidAngle(aroundNormal.y)));
+}
+
+// The part of a face's mean that a ray adds besides the radiance of faces: the sky's light along it, and in
 // alpha ambient visibility.
-vec4 skyOf(uint hit, vec3 direction, vec3 aroundNormal) {
-    vec3 sky = vec3(0.0);
-    if ((hit & ~VCT_HIT_NEAR) == VCT_HIT_SKY)
-        sky = skyLight(visibleSky(direction, gatherSolidAngle(aroundNormal.y)));
-    return vec4(sky, (hit & VCT_HIT_NEAR) == 0u ? 1.0 : 0.0);
+vec4 skyOf(uint hit, vec3 sky) {
+    bool isSky = (hit & ~VCT_HIT_NEAR) == VCT_HIT_SKY;
+    return vec4(isSky ? sky : vec3(0.0), (hit & VCT_HIT_NEAR) == 0u ? 1.0 : 0.0);
 }
 
 // The radiance of the face that a ray has hit; 0 if it has hit none.

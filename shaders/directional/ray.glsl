@@ -31,14 +31,27 @@ struct RayHit {
 // differently, and without it rays would slip between them.
 const float acrossVoxel = 0.08, acrossPlane = 0.03;
 
-// True if a surface with this extent covers a point of its plane, both from the voxel's middle. The cells are
-// the voxel's. `dice`: 0..1; a surface with an opacity below 1 stops the share of the rays.
-bool covers(uint staticCell, uint dynamicCell, bool isStatic, int axis, uint surface, uint extentWord,
-            vec3 point, float dice) {
+// The index of the static geometry and that of the dynamic objects at a voxel.
+struct VoxelCells {
+    uint still, moving;
+    uint atStill;  // a bit for each face whose surface is at the static id (directional/resolve.comp)
+};
+VoxelCells cellsOf(ivec3 voxel, uint geometry) {
+    uint still = texelFetch(staticIndex, voxel, 0).r;
+    uint moving = frame.hasDynamicObjects != 0 ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
+    return VoxelCells(still, moving, (geometry & dynamicGeometry) == 0u ? still & ~moving : still);
+}
+uint faceOf(VoxelCells cells, int face) {
+    return faceId(hasFace(cells.atStill, face) ? cells.still : cells.moving, face);
+}
+
+// True if a surface with this extent covers a point of its plane, both from the voxel's middle. `dice`: 0..1;
+// a surface with an opacity below 1 stops the share of the rays.
+bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 point, float dice) {
     FaceExtent extent = unpackExtent(extentWord);
     for (uint left = extent.inFront | extent.behind; left != 0u; left &= left - 1u) {
         int face = findLSB(left);
-        SurfacePlane other = facePlane(surfaceId(staticCell, dynamicCell, face, isStatic));
+        SurfacePlane other = facePlane(faceOf(cells, face));
         float above = dot(point, other.normal) - other.offset;
         if ((extent.inFront >> uint(face) & 1u) != 0u ? above < -acrossPlane : above > acrossPlane)
             return false;
@@ -54,13 +67,14 @@ bool covers(uint staticCell, uint dynamicCell, bool isStatic, int axis, uint sur
 // The id of the first face of a voxel that a ray meets. `origin`: of the ray, from the voxel's middle.
 // `faces`: a bit for each face that the ray may meet. `meetsBacks`: whether their backs count. `reach`: limit
 // of the distance, then that of the hit.
-uint firstFace(uint staticCell, uint dynamicCell, bool isStatic, uint faces, bool meetsBacks, vec3 origin,
-               vec3 direction, float dice, inout float reach) {
-    uint id = noFace;
+uint firstFace(VoxelCells cells, uint faces, bool meetsBacks, vec3 origin, vec3 direction, float dice,
+               inout float reach) {
+    int first = -1;
+    bool isBackFirst = false;
     float best = 0.0, limit = reach;
     for (uint left = faces; left != 0u; left &= left - 1u) {
         int face = findLSB(left), axis = face >> 1;
-        uint at = faceAt(surfaceId(staticCell, dynamicCell, face, isStatic));
+        uint at = faceAt(faceOf(cells, face));
         uint surface = faceData[at + VCT_FACE_SURFACE];
         SurfacePlane plane = unpackPlane(surface);
         float cosine = dot(plane.normal, direction);
@@ -74,90 +88,122 @@ uint firstFace(uint staticCell, uint dynamicCell, bool isStatic, uint faces, boo
         if (distance < 0.0 || distance > limit || beyond > across) continue;
         // The faces of a slanted surface have the same plane, and so have the two sides of a sheet, of which
         // the front counts.
-        float tie = isBack == (id == backOfFace) ? 0.01 : 0.05;
+        float tie = isBack == isBackFirst ? 0.01 : 0.05;
         if (isBack) weight = 0.0;
         bool isNearer = distance < reach - tie || distance < reach + tie && weight > best;
         if (!isNearer) continue;
-        if (!covers(staticCell, dynamicCell, isStatic, axis, surface, faceData[at + VCT_FACE_EXTENT], point,
-                    dice))
-            continue;
+        if (!covers(cells, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice)) continue;
         reach = distance;
         best = weight;
-        id = isBack ? backOfFace : faceId(hasFace(staticCell, face) ? staticCell : dynamicCell, face);
+        first = face;
+        isBackFirst = isBack;
     }
-    return id;
+    if (first < 0) return noFace;
+    return isBackFirst ? backOfFace : faceId(hasFace(cells.still, first) ? cells.still : cells.moving, first);
 }
 
-// The voxels of a block with faces that a ray may meet. `set`: place of the set of such voxels.
-uvec4 occupiedVoxels(ivec3 block, ivec2 set, uint geometry) {
-    int side = frame.gridSide / VCT_BRICK_SIDE;
-    ivec3 still = block + ivec3(set * side, 0);
-    uvec4 bits = uvec4(0u);
-    if ((geometry & staticGeometry) != 0u) bits |= texelFetch(blocks, still, 0);
-    if ((geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0)
-        bits |= texelFetch(blocks, still + ivec3(0, 0, side * cascades), 0);
-    return bits;
+// A place in the texture of occupied voxels: the set that a ray reads, and behind it by `dynamicSets` along z
+// the same set of the dynamic objects; 0: the ray reads one of both.
+struct VoxelSet {
+    ivec3 first;
+    int dynamicSets;
+};
+VoxelSet voxelSetOf(int set, uint geometry) {
+    int side = frame.gridSide / VCT_BRICK_SIDE, depth = side * cascades;
+    bool readsStatic = (geometry & staticGeometry) != 0u;
+    bool readsDynamic = (geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0;
+    return VoxelSet(ivec3(placeOfSet(set) * side, readsStatic || !readsDynamic ? 0 : depth),
+                    readsStatic && readsDynamic ? depth : 0);
+}
+
+// The side of the largest empty cube, of 1, 2 or 4 voxels, that has a voxel; 0 if the voxel has faces that
+// the ray may meet.
+int emptySide(ivec3 voxel, VoxelSet set) {
+    ivec3 texel = (voxel >> VCT_BRICK_LEVEL) + set.first;
+    uvec4 bits = texelFetch(blocks, texel, 0);
+    if (set.dynamicSets != 0) bits |= texelFetch(blocks, texel + ivec3(0, 0, set.dynamicSets), 0);
+    uint below = bits.x | bits.y << 16u, above = bits.z | bits.w << 16u;
+    uint layers = (voxel.z & 2) == 0 ? below : above;
+    uint place = uint((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 1) << 4);
+    bool isEmpty2 = (layers & 0x330033u << (place & 10u)) == 0u;
+    int side = (below | above) == 0u ? 4 : isEmpty2 ? 2 : 1;
+    return (layers >> place & 1u) != 0u ? 0 : side;
+}
+
+// A ray, in the directions of all cascades.
+struct Ray {
+    vec3 direction, inverse;
+    vec3 ahead;  // 1 along the axes that it follows, 0 along those that it goes against
+    float dice;
+    uint geometry, against;  // `against`: a bit for each face that it may meet
+    VoxelSet set;
+};
+
+// Walks through one cascade from the distance `now`, to the first face before the distance `end`, or to where
+// the ray leaves the cascade. `origin`: in voxels.
+uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
+    vec3 low = vec3(0.0, 0.0, float(cascade * frame.gridSide)), high = low + float(frame.gridSide);
+    vec3 exits = (mix(low + 1e-3, high - 1e-3, ray.ahead) - origin) * ray.inverse;
+    float exit = min(end, min(exits.x, min(exits.y, exits.z)));
+    // A ray may begin outside, as before a surface at the border, and enter from there.
+    vec3 enters = (mix(high - 1e-4, low + 1e-4, ray.ahead) - origin) * ray.inverse;
+    float enter = max(now, max(enters.x, max(enters.y, enters.z)));
+    if (enter < exit)
+        now = enter;
+    else
+        exit = now;
+    // The ray leaves a cube a little behind its border, so that it is past it in spite of rounding.
+    vec3 leaves = mix(vec3(-1e-3), vec3(1.001), ray.ahead);
+    ivec3 voxel = ivec3(origin + ray.direction * now);
+    int side = now < exit ? emptySide(voxel, ray.set) : 1;
+    uint id = noFace;
+    while (now < exit && id == noFace) {
+        // To the next voxel with a face that looks against the ray.
+        while (side != 0) {
+            vec3 borders = (vec3(voxel & -side) + leaves * float(side) - origin) * ray.inverse;
+            now = min(borders.x, min(borders.y, borders.z));
+            if (!(now < exit)) break;
+            voxel = ivec3(origin + ray.direction * now);
+            side = emptySide(voxel, ray.set);
+        }
+        if (side != 0) break;
+        VoxelCells cells = cellsOf(voxel, ray.geometry);
+        uint faces = ((ray.geometry & staticGeometry) != 0u ? cells.still : 0u) |
+                     ((ray.geometry & dynamicGeometry) != 0u ? cells.moving : 0u);
+        float found = end;
+        id = firstFace(cells, faces & ray.against, (ray.geometry & backsOfFaces) != 0u,
+                       origin - vec3(voxel) - 0.5, ray.direction, ray.dice, found);
+        if (id != noFace) now = found;
+        side = 1;
+    }
+    return id;
 }
 
 // Traces a ray from `start`, in voxels of the cascade `own`, up to the distance `reach`, through some of the
 // geometry. The direction has unit length. The ray goes on in the next coarser cascade where it leaves one.
 RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, uint geometry) {
     direction = mix(direction, vec3(1e-5), lessThan(abs(direction), vec3(1e-5)));
-    vec3 inverse = 1.0 / direction;
-    bvec3 positive = greaterThan(direction, vec3(0.0));
-    ivec3 ahead = ivec3(positive);
-    uint against = (positive.x ? 2u : 1u) | (positive.y ? 8u : 4u) | (positive.z ? 32u : 16u);
+    vec3 ahead = step(0.0, direction);
+    uint octant = uint(ahead.x + 2.0 * ahead.y + 4.0 * ahead.z);
     bool meetsBacks = (geometry & backsOfFaces) != 0u;
-    ivec2 set = placeOfSet(meetsBacks ? allFaces : ahead.x + 2 * ahead.y + 4 * ahead.z);
-    if (meetsBacks) against = VCT_FACE_MASK;
+    // Along each axis one of the two faces looks against the ray.
+    uvec3 faces = mix(uvec3(1u, 4u, 16u), uvec3(2u, 8u, 32u), greaterThan(direction, vec3(0.0)));
+    uint against = meetsBacks ? VCT_FACE_MASK : faces.x | faces.y | faces.z;
+    Ray ray = Ray(direction, 1.0 / direction, ahead, dice, geometry, against,
+                  voxelSetOf(meetsBacks ? allFaces : int(octant), geometry));
+    float distance = 0.0;
+#if VCT_CASCADES > 1
     vec3 volume = volumeFromVoxels(start, own);
-    float scale = 1.0, distance = 0.0;
-    for (int cascade = own; cascade < cascades; ++cascade, scale *= 0.5) {
-        vec3 origin = voxelsFromVolume(volume, cascade);
-        ivec3 low = ivec3(0, 0, cascade * frame.gridSide), high = low + frame.gridSide - 1;
-        float now = distance * scale, end = reach * scale;
-        ivec3 voxel = clamp(ivec3(floor(origin + direction * (now + 1e-4))), low, high);
-        bool isInside = true, isTested = false;  // the ray has met no face in the voxel
-        while (isInside && now < end) {
-            // Walk to the next voxel with a face that looks against the ray.
-            bool isOccupied = false;
-            do {
-                uvec4 bits = occupiedVoxels(voxel >> VCT_BRICK_LEVEL, set, geometry);
-                uint place = uint((voxel.x & 3) + 4 * (voxel.y & 3));
-                uvec2 layers = (voxel.z & 2) == 0 ? bits.xy : bits.zw;
-                uint layer = (voxel.z & 1) == 0 ? layers.x : layers.y;
-                isOccupied = !isTested && (layer >> place & 1u) != 0u;
-                if (!isOccupied) {
-                    // To the border of the largest empty cube, of 1, 2 or 4 voxels, that has the voxel.
-                    bool isEmpty2 = ((layers.x | layers.y) & 0x33u << (place & 10u)) == 0u;
-                    int side = (bits.x | bits.y | bits.z | bits.w) == 0u ? 4 : isEmpty2 ? 2 : 1;
-                    ivec3 first = voxel & -side;
-                    vec3 borders = (vec3(first + ahead * side) - origin) * inverse;
-                    now = min(borders.x, min(borders.y, borders.z));
-                    // The ray leaves along exactly one axis whatever the borders are, NaN too, so it ends.
-                    bool leavesX = borders.x == now, leavesY = !leavesX && borders.y == now;
-                    bvec3 leaves = bvec3(leavesX, leavesY, !leavesX && !leavesY);
-                    ivec3 within = clamp(ivec3(floor(origin + direction * now)), first, first + side - 1);
-                    ivec3 beyond = mix(first - 1, first + side, positive);
-                    voxel = mix(within, beyond, leaves);
-                    isInside = all(greaterThanEqual(voxel, low)) && all(lessThanEqual(voxel, high));
-                    isTested = false;
-                }
-            } while (!isOccupied && isInside && now < end);
-            if (!isOccupied) break;
-            uint staticCell = texelFetch(staticIndex, voxel, 0).r;
-            uint dynamicCell = frame.hasDynamicObjects != 0 ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
-            float found = end;
-            uint faces = ((geometry & staticGeometry) != 0u ? staticCell : 0u) |
-                         ((geometry & dynamicGeometry) != 0u ? dynamicCell : 0u);
-            bool isStatic = (geometry & dynamicGeometry) == 0u;
-            uint id = firstFace(staticCell, dynamicCell, isStatic, faces & against, meetsBacks,
-                                origin - vec3(voxel) - 0.5, direction, dice, found);
-            if (id != noFace) return RayHit(id, found / scale);
-            isTested = true;
-        }
+    float scale = 1.0;
+    for (int cascade = own; cascade < cascades && distance < reach; ++cascade, scale *= 0.5) {
+        float now = distance * scale;
+        uint id = walk(ray, voxelsFromVolume(volume, cascade), cascade, reach * scale, now);
         distance = now / scale;
-        if (distance >= reach) break;
+        if (id != noFace) return RayHit(id, distance);
     }
     return RayHit(noFace, reach);
+#else
+    uint id = walk(ray, start, 0, reach, distance);
+    return RayHit(id, id == noFace ? reach : distance);
+#endif
 }

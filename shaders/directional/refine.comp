@@ -18,7 +18,7 @@ void main() {
             vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
             float distance;
             uint hit = traceFrom(rays, towards, rays.reach, number, allGeometry, distance);
-            sum += skyOf(hit, towards, aroundNormal) + vec4(radianceOf(hit), 0.0);
+            sum += skyOf(hit, skyAlong(towards, aroundNormal)) + vec4(radianceOf(hit), 0.0);
         }
         vec4 mean = sum / float(max(lightStep.refiningRays, 1u));
         vec4 gain = mean - faceMean(id, VCT_MEAN_NOW);

@@ -15,7 +15,7 @@ void main() {
         for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
             uint hit = cachedHit(id, d);
             vec3 aroundNormal = gatherDirection(cachedDirection(rays, d));
-            if (countsInMean(hit)) sky += skyOf(hit, rays.axes * aroundNormal, aroundNormal);
+            if (countsInMean(hit)) sky += skyOf(hit, skyAlong(rays.axes * aroundNormal, aroundNormal));
         }
         sky /= max(float(faceSight(id).rays), 1.0);
         storeFaceMean(id, VCT_MEAN_SKY, sky);

@@ -13,19 +13,28 @@ uint nextUnknown(uint id, uint d) {
     return d;
 }
 
-// Replaces what a ray has hit before in the means over the rays.
-void replaceRay(uint id, uint before, uint hit, vec4 skyBefore, vec4 skyNow, float distance) {
+// Traces a cached ray of a face, and replaces what it has hit before in the means over the rays.
+void traceCached(uint id, uint d, uint geometry) {
+    FaceRays rays = raysOf(baseFace(id), id);
+    int number = cachedDirection(rays, d);
+    vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
+    vec3 sky = skyAlong(towards, aroundNormal);
+    float distance;
+    uint hit = traceFrom(rays, towards, rays.reach, number, geometry, distance);
+    uvec4 hits = cachedHits(id, d >> 2u);
+    uint before = hits[d & 3u];
+    hits[d & 3u] = hit;
+    storeCachedHits(id, d >> 2u, hits);
     FaceSight sight = faceSight(id);
     bool countedBefore = countsInMean(before), countsNow = countsInMean(hit);
-    float old = float(sight.rays);
+    vec4 sum = faceMean(id, VCT_MEAN_SKY) * float(sight.rays) + (countsNow ? skyOf(hit, sky) : vec4(0.0)) -
+               (countedBefore ? skyOf(before, sky) : vec4(0.0));
     if (before != VCT_HIT_UNKNOWN && !countedBefore) --sight.backs;
     if (!countsNow) ++sight.backs;
     sight.rays += uint(countsNow) - uint(countedBefore);
-    vec4 sum = faceMean(id, VCT_MEAN_SKY) * old + (countsNow ? skyNow : vec4(0.0)) -
-               (countedBefore ? skyBefore : vec4(0.0));
-    vec4 sky = max(sum, 0.0) / max(float(sight.rays), 1.0);
-    storeFaceMean(id, VCT_MEAN_SKY, sky);
-    storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);
+    vec4 mean = max(sum, 0.0) / max(float(sight.rays), 1.0);
+    storeFaceMean(id, VCT_MEAN_SKY, mean);
+    storeFaceMean(id, VCT_MEAN_SKY_NOW, mean);
     if (countsNow) {
         float nearness = (hit & ~VCT_HIT_NEAR) >= VCT_HIT_FACE ? 1.0 / max(distance, 0.5) : 0.0;
         sight.nearness = mix(sight.nearness, nearness, 1.0 / float(sight.rays));
@@ -47,16 +56,14 @@ bool isMergedNow(ListedFace listed) {
 }
 
 void main() {
-    uint count = visitedFaceCount(), firstDynamic = commands[dynamicList].firstId;
-    uint dynamicCount = faceCount(dynamicList);
+    uint count = visitedFaceCount(), dynamicCount = faceCount(dynamicList);
     uint again =
         clamp(lightStep.movingRays / max(dynamicCount, 1u), lightStep.minMovingRays, uint(VCT_DIRECTIONS));
-    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * uint(VCT_LIST_GROUP)) {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        bool isDynamic = id - firstDynamic < dynamicCount;
+        bool isDynamic = id >= commands[0].faceCapacity;  // static faces have the first ids
         uint blocked = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
         bool merged = !isDynamic && isMergedNow(listed);
         if (!isDynamic && merged != ((faceIrradianceData[blocked] & wasMerged) != 0u)) {
@@ -71,19 +78,11 @@ void main() {
         uint number = isDynamic ? again : min(lightStep.rays, unknown);
         if (number == 0u) continue;
         uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
-        FaceRays rays = raysOf(listed, id);
         uint d = isDynamic ? lightStep.frame * again : 0u;
         for (uint r = 0u; r < number; ++r, ++d) {
             d = isDynamic ? d % uint(VCT_DIRECTIONS) : nextUnknown(id, d);
             if (d >= uint(VCT_DIRECTIONS)) break;
-            int direction = cachedDirection(rays, d);
-            vec3 aroundNormal = gatherDirection(direction), towards = rays.axes * aroundNormal;
-            float distance;
-            uint before = cachedHit(id, d);
-            uint hit = traceFrom(rays, towards, rays.reach, direction, geometry, distance);
-            storeCachedHit(id, d, hit);
-            vec4 skyBefore = before == VCT_HIT_UNKNOWN ? vec4(0.0) : skyOf(before, towards, aroundNormal);
-            replaceRay(id, before, hit, skyBefore, skyOf(hit, towards, aroundNormal), distance);
+            traceCached(id, d, geometry);
         }
     }
 }
