@@ -97,17 +97,24 @@ float closeness(float nearness) {
 uint hitsAt(uint id, uint quad) {
     return lightStep.firstHit + hitsWord(id, quad, uint(VCT_DIRECTIONS));
 }
-// The hits of the cached rays 4 `quad` to 4 `quad` + 3.
-uvec4 cachedHits(uint id, uint quad) {
-    uint at = hitsAt(id, quad), a = faceIrradianceData[at], b = faceIrradianceData[at + VCT_FACE_GROUP],
-         c = faceIrradianceData[at + 2u * VCT_FACE_GROUP];
-    return uvec4(a & 0xFFFFFFu, b & 0xFFFFFFu, c & 0xFFFFFFu, a >> 24u | b >> 24u << 8u | c >> 24u << 16u);
+const uint hitsStep = 3u * VCT_FACE_GROUP;  // from four hits to the next four
+uvec4 cachedHitsFrom(uint at) {
+    uvec3 words = uvec3(faceIrradianceData[at], faceIrradianceData[at + VCT_FACE_GROUP],
+                        faceIrradianceData[at + 2u * VCT_FACE_GROUP]);
+    uvec3 parts = words >> 24u;
+    return uvec4(words << 8u >> 8u, parts.x | parts.y << 8u | parts.z << 16u);
 }
-void storeCachedHits(uint id, uint quad, uvec4 hits) {
-    uint at = hitsAt(id, quad);
+void storeCachedHitsFrom(uint at, uvec4 hits) {
     faceIrradianceData[at] = hits.x | hits.w << 24u;
     faceIrradianceData[at + VCT_FACE_GROUP] = hits.y | hits.w >> 8u << 24u;
     faceIrradianceData[at + 2u * VCT_FACE_GROUP] = hits.z | hits.w >> 16u << 24u;
+}
+// The hits of the cached rays 4 `quad` to 4 `quad` + 3.
+uvec4 cachedHits(uint id, uint quad) {
+    return cachedHitsFrom(hitsAt(id, quad));
+}
+void storeCachedHits(uint id, uint quad, uvec4 hits) {
+    storeCachedHitsFrom(hitsAt(id, quad), hits);
 }
 uint cachedHit(uint id, uint direction) {
     uint quad = direction >> 2u, place = direction & 3u;

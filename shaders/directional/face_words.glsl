@@ -17,10 +17,13 @@ uint packRgb9e5(vec3 value) {
     uvec3 mantissa = uvec3(value * scale + 0.5);
     return mantissa.r | mantissa.g << 9u | mantissa.b << 18u | uint(exponent + 15) << 27u;
 }
+// The unit of the mantissas of four words: 2^(exponent - 24), by the bits of a float, which cost less than
+// exp2().
+vec4 scaleOfRgb9e5(uvec4 words) {
+    return uintBitsToFloat((words >> 27u) + 103u << 23u);
+}
 vec3 unpackRgb9e5(uint word) {
-    // 2^(exponent - 24), by the bits of a float, which cost less than exp2().
-    float scale = uintBitsToFloat((word >> 27u) + 103u << 23u);
-    return vec3(word & 511u, word >> 9u & 511u, word >> 18u & 511u) * scale;
+    return vec3(word & 511u, word >> 9u & 511u, word >> 18u & 511u) * scaleOfRgb9e5(uvec4(word)).x;
 }
 
 // The plane of the surface in a voxel: its normal, and its distance from the voxel's middle along the normal,
