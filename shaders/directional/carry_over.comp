@@ -56,26 +56,27 @@ void main() {
             if (from == 0u && list == dynamicList)
                 from = litFace(texelFetch(staticIndex, beside, 0).r, listed.face);
         }
-        uint to = irradianceAt(id);
-        for (uint word = 0u; word < VCT_IRRADIANCE_WORDS; ++word)
+        // Direct light and the light of emitters of a moving object change. Means that this light step
+        // computes before it reads them keep what the words had.
+        uint to = irradianceAt(id), old = irradianceAt(max(from, 1u) - 1u);
+        for (uint word = VCT_MEAN_SMOOTH; word < VCT_MEAN_GAIN; ++word) {
+            uint value = faceIrradianceData[old + word];
+            bool isKept = isSame || from != 0u && word < VCT_MEAN_REFINED;
+            faceIrradianceData[to + word] = isKept ? value : 0u;
+        }
+        for (uint word = VCT_MEAN_SKY; word < VCT_MEAN_SKY_NOW; ++word) {
+            uint value = faceIrradianceData[old + word];
+            faceIrradianceData[to + word] = from != 0u ? value : 0u;
+        }
+        uint sight = faceIrradianceData[old + VCT_FACE_SIGHT];
+        faceIrradianceData[to + VCT_FACE_SIGHT] = from != 0u ? sight : 0u;
+        for (uint word = VCT_FACE_BLOCKED + 1u; word < VCT_IRRADIANCE_WORDS; ++word)
             faceIrradianceData[to + word] = 0u;
+        if (isSame) faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
         if (list == 0u)
             faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
         else
             faceIrradianceData[forwardAt(id)] = 0u;
-        if (isSame) {
-            uint old = irradianceAt(from - 1u);
-            // Direct light and the light of emitters of a moving object change.
-            for (uint word = 0u; word < VCT_FACE_DIRECT; ++word)
-                faceIrradianceData[to + word] = faceIrradianceData[old + word];
-            faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
-        } else if (from != 0u) {
-            storeFaceMean(id, VCT_MEAN_NOW, faceMean(from - 1u, VCT_MEAN_NOW));
-            storeFaceMean(id, VCT_MEAN_SHOWN, faceMean(from - 1u, VCT_MEAN_SHOWN));
-            storeFaceMean(id, VCT_MEAN_SKY, faceMean(from - 1u, VCT_MEAN_SKY));
-            faceIrradianceData[to + VCT_FACE_SIGHT] =
-                faceIrradianceData[irradianceAt(from - 1u) + VCT_FACE_SIGHT];
-        }
         faceData[radianceAt(id)] = from != 0u ? faceData[radianceAt(from - 1u)] : 0u;
         // carry_hits.comp finds the face whose hits it copies in place of the first hit.
         if (list != 0u) storeCachedHit(id, 0u, from);
