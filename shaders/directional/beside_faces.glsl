@@ -26,26 +26,31 @@ vec4 unsmoothedMean(uint id) {
 
 // The voxels beside a face, along an axis across it.
 struct Row {
-    ivec3 voxel, first;  // of the face, and of its cascade
-    int axis;            // of the face
-    vec2 along;          // unit vector across the face
-    float height;        // of the surface in the voxel
+    vec3 voxel;      // of the face
+    ivec3 first;     // of its cascade
+    vec3 along, up;  // unit vectors: of the row, and of the axis that the face looks along
+    float height;    // of the surface in the voxel
     float slope;
 };
 Row rowOf(ListedFace listed, SurfacePlane plane, vec2 along) {
     int axis = listed.face >> 1;
-    return Row(listed.voxel, firstOfCascade(listed.voxel, frame.gridSide), axis, along,
-               clamp(plane.offset / plane.normal[axis], -0.499, 0.499),
-               -dot(acrossFaces(plane.normal, axis), along) / plane.normal[axis]);
+    float steepness = 1.0 / plane.normal[axis];
+    return Row(vec3(listed.voxel), firstOfCascade(listed.voxel, frame.gridSide), fromAcross(along, 0.0, axis),
+               fromAcross(vec2(0.0), 1.0, axis), clamp(plane.offset * steepness, -0.499, 0.499),
+               -dot(acrossFaces(plane.normal, axis), along) * steepness);
 }
-// The faces of the voxel `aside` along the row, `above` voxels in front of the surface: static ones, or
-// dynamic ones if the static ones lack `face`. `face`: -1 for any.
-uint cellBeside(Row row, int aside, int above, int face) {
-    int height = int(floor(row.height + row.slope * float(aside) + 0.5)) + above;
-    ivec3 voxel = row.voxel + ivec3(fromAcross(row.along * float(aside), float(height), row.axis));
-    if (voxel != clamp(voxel, row.first, row.first + frame.gridSide - 1)) return 0u;
+// The voxel of the surface `aside` along the row.
+vec3 voxelBeside(Row row, float aside) {
+    float height = floor(row.height + row.slope * aside + 0.5);
+    return row.voxel + aside * row.along + height * row.up;
+}
+// The faces of a voxel: static ones, or dynamic ones if the static ones lack `faces`. None outside of the
+// cascade.
+uint cellBeside(Row row, vec3 beside, uint faces) {
+    ivec3 voxel = ivec3(beside);
+    if (any(greaterThanEqual(uvec3(voxel - row.first), uvec3(frame.gridSide)))) return 0u;
     uint cell = texelFetch(staticIndex, voxel, 0).r;
-    bool isFound = face < 0 ? cell != 0u : hasFace(cell, face);
+    bool isFound = (cell & faces) != 0u;
     return isFound || frame.hasDynamicObjects == 0 ? cell : texelFetch(dynamicIndex, voxel, 0).r;
 }
 
@@ -53,15 +58,16 @@ WeightedMean meanAlong(ListedFace listed, uint id, vec2 along) {
     Row row = rowOf(listed, facePlane(id), along);
     // A wall that stands on the surface between two faces has faces of its own in front of it.
     const int inFront = 2;
-    int above = (listed.face & 1) == 0 ? inFront : -inFront;
+    vec3 above = row.up * float((listed.face & 1) == 0 ? inFront : -inFront);
     WeightedMean sum = besideMean(id);
     sum.mean *= sum.weight;
     bool isBehind = false;
     for (int i = 0; i < 4; ++i) {
         int steps = 1 + (i & 1), aside = i < 2 ? -steps : steps;
         if (isRefining() && steps == 2) continue;
-        isBehind = steps == 2 && isBehind || cellBeside(row, aside, above, -1) != 0u;
-        uint cell = cellBeside(row, aside, 0, listed.face);
+        vec3 voxel = voxelBeside(row, float(aside));
+        isBehind = steps == 2 && isBehind || cellBeside(row, voxel + above, VCT_FACE_MASK) != 0u;
+        uint cell = cellBeside(row, voxel, 1u << uint(listed.face));
         if (isBehind || !hasFace(cell, listed.face)) continue;
         WeightedMean beside = besideMean(faceId(cell, listed.face));
         float weight = beside.weight / float(isRefining() ? 2 : steps);
