@@ -35,11 +35,12 @@ mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
     return brick != 0u ? received : vec4(0.0);
 }
 
-// The filtered content of the brick of a block's face. A position beside a thin wall takes its own side.
-mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick) {
+// The filtered content of the brick of a block's face. If `hasSides`, a position beside a thin wall takes its
+// own side.
+mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, bool hasSides) {
     ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
     uint brick = texelFetch(bricks, texel, 0).r;
-    if ((brick & VCT_BRICK_HAS_WALLS) != 0u)
+    if (hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u)
         inBrick =
             besideWalls(texelFetch(walls, texel, 0).r, inBrick, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
     if ((brick & VCT_BRICK_IS_FLAT) != 0u) inBrick = vec3(acrossFaces(inBrick, axis), 0.5);
@@ -49,7 +50,7 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick) {
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
 // side of an axis. `block`: the block of the position, or one at most half a voxel away.
 mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
-    return irradianceOfBlock(block, axis, side, positionInBrick(position, block));
+    return irradianceOfBlock(block, axis, side, positionInBrick(position, block), true);
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
@@ -63,11 +64,12 @@ vec3 cornerOffset(uint i) {
 //
 // If the voxels around the position have no such faces, other positions are tried. Rounding may have moved a
 // surface on the border of two blocks into the other block: the first eight tries use the bricks of the
-// blocks at most half a voxel away. A surface so thin that the voxels missed it takes the mean of its
-// block, of faces on the normal's side if possible: six faces with eight fetches each. If the block has no
-// faces of any side, the blocks around it follow, at twice the distance each time. (Faces of the right side
-// in a block further away would often be the outside of a wall.) All tries share the fetch in the loop,
-// because a second fetch would cost registers in every pixel.
+// blocks at most half a voxel away. It may also have moved a surface that ends at a wall, as in a crease, to
+// the wall's other side, so these tries read both sides. A surface so thin that the voxels missed it takes
+// the mean of its block, of faces on the normal's side if possible: six faces with eight fetches each. If the
+// block has no faces of any side, the blocks around it follow, at twice the distance each time. (Faces of the
+// right side in a block further away would often be the outside of a wall.) All tries share the fetch in the
+// loop, because a second fetch would cost registers in every pixel.
 mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
@@ -89,7 +91,8 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight * irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick);
+            sum += weight *
+                   irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, i == 0u || i > borderTries);
         } while (axes > 0);
         // The 48 fetches of a block belong together.
         bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;

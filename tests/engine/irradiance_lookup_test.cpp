@@ -105,5 +105,36 @@ TEST(IrradianceLookUp, ThinRodsBeforeTheSkyAreLit) {
     EXPECT_EQ(dark, 0) << "of " << surfaces;
 }
 
+// A floor ends where a wall begins. The stored position of the wall is rounded, here onto the floor, whose
+// pixels there must not take the light of the wall's other side.
+TEST(IrradianceLookUp, AFloorThatEndsAtAWallHasItsOwnLight) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = emptyScene();
+    const auto addSlab = [&scene](const glm::dvec3& from, const glm::dvec3& to) {
+        addBox(scene, to - from, 0.5 * (from + to));
+    };
+    const double wall = 19.467, floor = 12.3;
+    addSlab({wall, floor - 2.0, 4.0}, {60.0, floor, 60.0});
+    addSlab({16.0, floor - 2.0, 4.0}, {wall, 15.0, 60.0});
+    addSlab({16.0, 15.0, 4.0}, {60.0, 17.0, 60.0});
+    scene.boundsWorld = boundsForVoxelsAsWorld(64);
+    Settings settings = mobileAt(128);
+    settings.grid = 64;
+    settings.skyRadiance = glm::vec3(1.0F);
+    const glm::dvec3 target(wall + 0.1, floor, 32.0);
+    FrameInspector frame(context, scene, noLight(), settings,
+                         lookAt(target + glm::dvec3(0.1, 2.5, 0.4), target, 5));
+    std::vector<double> light;
+    int atWall = 0;
+    for (const SeenSurface& seen : frame.seen(Output::irradiance)) {
+        if (seen.surface.normal.y < 0.9) continue;
+        light.push_back(seen.value.x);
+        atWall += seen.surface.positionWorld.x < wall + 0.006 ? 1 : 0;
+    }
+    ASSERT_GT(atWall, 100);
+    std::sort(light.begin(), light.end());
+    EXPECT_LE(light.back(), 1.1 * light[light.size() / 2]);
+}
+
 }  // namespace
 }  // namespace vct::test
