@@ -97,10 +97,22 @@ vec3 visibleAlbedo(FaceSums sums) {
     return hasLayers(sums) ? front * front : sums.albedo / max(sums.coverage, 1e-4);
 }
 
-// The plane of the surface that is seen from the face's side, as packPlane() packs it. Of several layers,
-// this is the foremost one. A curved surface has the mean of its normals, through its middle.
+// True if two flat surfaces that look different ways share a face, and the foremost one hides the other. They
+// are the outside of one wall and the inside of the next, along the edge of a box that is turned, and cover
+// less of the face than a surface that goes on, as a ceiling above a wall.
+bool hidesInside(FaceSums sums) {
+    const float sameWay = 0.5, goesOn = 0.7;
+    SurfacePlane plane = unpackPlane(sums.plane), front = unpackPlane(sums.front);
+    float cosine = dot(plane.normal, front.normal);
+    return !isCurved(sums.plane) && cosine < sameWay && sums.coverage < goesOn &&
+           plane.offset * cosine < front.offset;
+}
+
+// The plane of the surface that is seen from the face's side, as packPlane() packs it. Of several layers, or
+// if it hides the inside of a box, this is the foremost one. A curved surface has the mean of its normals,
+// through its middle.
 uint visiblePlane(FaceSums sums, int face) {
-    uint found = hasLayers(sums) ? sums.front : sums.plane;
+    uint found = hasLayers(sums) || hidesInside(sums) ? sums.front : sums.plane;
     if (!isCurved(found) || hasLayers(sums) || sums.curve.x < 0.5 * sums.coverage) return found;
     int axis = face >> 1;
     vec3 mean = sums.curve.yzw / sums.curve.x;
