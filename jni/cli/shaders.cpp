@@ -49,11 +49,15 @@ void add(std::vector<Variant>& variants, const std::string& mode, const std::vec
     for (const ProgramCount& count : counts) {
         const auto& program = count.program;
         const auto use = std::find_if(known.begin(), known.end(), [&](const FrameProgram& frame) {
-            return frame.program.name == program.name;
+            return frame.program.name == program.name && frame.program.defines == program.defines;
         });
-        if (use == known.end())
-            throw Error("mode " + mode + " runs the program '" + program.name +
-                        "', which framePrograms() in jni/lab/program_list.cpp does not list");
+        if (use == known.end()) {
+            std::string defines;
+            for (const std::string& define : program.defines)
+                defines += " " + define;
+            throw Error("mode " + mode + " runs the program '" + program.name + "' with" + defines +
+                        ", which framePrograms() in jni/lab/program_list.cpp does not list");
+        }
         auto at = std::find_if(variants.begin(), variants.end(), [&](const Variant& variant) {
             return variant.program.name == program.name && variant.program.defines == program.defines;
         });

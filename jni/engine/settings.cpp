@@ -70,6 +70,12 @@ Settings presetSettings(const std::string& name) {
     throw Error("the preset '" + name + "' does not exist; the presets are: " + presetList());
 }
 
+GatherSettings Settings::gatherOfFrames() const {
+    GatherSettings result = gather;
+    if (revoxelize && cascades == 1) result.directions = std::min(result.directions, 16);
+    return result;
+}
+
 std::string presetList() {
     std::string names;
     for (const std::string& preset : presetNames())

@@ -77,6 +77,10 @@ struct Settings {
     std::optional<glm::vec3> background;
     bool revoxelize = false;             // rebuild shadow maps and voxels in every frame, to measure that
     std::uint32_t activeVoxelLimit = 0;  // capacity of the base level's active-voxel list; 0: by the grid
+
+    // The gather's settings in frames. Hits are kept for a few frames only, if all surfaces are rebuilt in
+    // each, so there are fewer.
+    GatherSettings gatherOfFrames() const;
 };
 
 const std::vector<int>& allGrids();  // 64, 128, 256, 512

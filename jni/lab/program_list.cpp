@@ -68,7 +68,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             add(Step::inject, injectProgram(lights));
             const auto addRays = [&](std::initializer_list<const char*> names) {
                 for (const char* name : names)
-                    add(Step::irradiance, raysProgram(name, settings.gather, lights));
+                    add(Step::irradiance, raysProgram(name, settings.gatherOfFrames(), lights));
             };
             addRays({"sky", "trace", "gather", "refine", "smooth_rows", "smooth"});
             if (features.movingObjects || settings.revoxelize || settings.cascades > 1)

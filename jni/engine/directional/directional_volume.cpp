@@ -200,12 +200,9 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     light.directional = &voxels_;
     if (!reads(inputs.output).gathered()) return light;
     if (!light_) {
-        GatherSettings gather = settings_.gather;
-        // Hits are kept for a few frames only, if all surfaces are rebuilt in each.
-        if (voxelizesAll_) gather.directions = std::min(gather.directions, 16);
-        light_.emplace(shaders_, Irradiance::fitting(gather, voxels_.idCapacity()), settings_.lightFrames,
-                       inputs.scene.moves() && !voxelizesAll_, hasDynamic_ || hasCascades_, hasCascades_,
-                       sources_);
+        light_.emplace(shaders_, Irradiance::fitting(settings_.gatherOfFrames(), voxels_.idCapacity()),
+                       settings_.lightFrames, inputs.scene.moves() && !voxelizesAll_,
+                       hasDynamic_ || hasCascades_, hasCascades_, sources_);
         if (inputs.baked && inputs.allBounces) light_->useBaked(inputs.baked, inputs.isBakedCurrent);
     }
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();
