@@ -29,8 +29,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// The values of --changes.
+const std::vector<std::string> changes{"everything", "objects", "light"};
+
+// Enough for all cached rays of faces that do not move.
+constexpr int tracingFrames = 16;
+
 struct ShadersOptions {
     SceneOptions scene;
+    std::string changes = "everything";
     std::string out;
     SkyOption sky;
     std::vector<std::string> presets;
@@ -152,6 +159,8 @@ void writeShaders(const ShadersOptions& options) {
     // As `vct bench`, which measures these programs.
     if (scene.lights.empty() && options.scene.light.empty())
         options.sky.lightScene(scene, camera, aspectOf(options.scene.size), options.scene.light, light, sky);
+    if (options.changes == "objects" && scene.animation.nodes.empty())
+        throw Error("--changes objects: no animation moves an object of " + options.scene.path);
     std::size_t vertices = 0;
     for (const Instance& instance : scene.instances)
         vertices += scene.meshes[instance.mesh].vertices.size();
@@ -160,6 +169,7 @@ void writeShaders(const ShadersOptions& options) {
     ordered_json manifest{{"scene", options.scene.path.substr(options.scene.path.rfind('/') + 1)},
                           {"width", options.scene.size.x},
                           {"height", options.scene.size.y},
+                          {"changes", options.changes},
                           {"vertices", vertices},
                           {"presets", ordered_json::array()}};
     for (const std::string& preset : presets) {
@@ -168,13 +178,27 @@ void writeShaders(const ShadersOptions& options) {
         options.scene.fitGrid(settings, scene, context.capabilities);
         settings.skyRadiance = sky.skyRadiance;
         settings.environment = sky.environment;
-        settings.revoxelize = true;
+        settings.revoxelize = options.changes == "everything";
         const ShaderCounters counters;
         Renderer renderer(scene, light, settings, context.capabilities, shaders(), counters.programs());
         std::vector<Variant> variants;
+        int moments = 0;
+        const auto change = [&] {
+            const double moment = ++moments;
+            if (options.changes == "objects") renderer.setPose(poseAt(scene.animation, moment / 60.0));
+            if (options.changes == "light")
+                renderer.setLightDirection(
+                    glm::normalize(light.directionToLight + 0.001 * moment * glm::dvec3(1, 0, 0)));
+        };
+        for (int i = 0; i < tracingFrames && !settings.revoxelize; ++i) {
+            change();
+            renderer.render({{allModes().back()}, camera});
+        }
         for (const Output mode : allModes()) {
             const auto frame = [&] { renderer.render({{mode}, camera}); };
+            change();
             frame();  // the second frame represents all later ones; the first one has nothing to clear
+            change();
             add(variants, outputName(mode), counters.count(frame),
                 framePrograms(settings, mode, featuresOf(scene), context.capabilities));
         }
@@ -213,6 +237,11 @@ void addShaders(CLI::App& app, int&) {
         ->add_option("--preset", options->presets,
                      std::string(presetHelp) + "; several separated by commas (default: all)")
         ->delimiter(',');
+    command
+        ->add_option("--changes", options->changes,
+                     "What changes before the frame that is counted: everything is rebuilt, the scene's "
+                     "animation moves its objects, or the sun turns (default: everything)")
+        ->check(CLI::IsMember(changes));
     options->sky.addTo(*command);
     command->callback([options] { writeShaders(*options); });
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/program_run.h"
+#include "support/errors.h"
 
 namespace vct::test {
 namespace {
@@ -64,6 +66,31 @@ TEST(Shaders, OfEveryKindOfSceneAreInTheList) {
     for (const std::string arguments : {"glossy.glb' --cascades 2", "walker.glb'"})
         program.expectSuccess("shaders '" VCT_SOURCE_DIR "/assets/" + arguments +
                               " --out out --size 24x24 --grid 64 --preset mobile");
+}
+
+// The passes of the programs that the frames of a mode run.
+std::set<std::string> passes(const std::string& manifest, const std::string& mode) {
+    std::set<std::string> found;
+    for (const auto& entry : nlohmann::json::parse(readBytes(manifest)).at("presets").at(0).at("programs")) {
+        const auto& modes = entry.at("modes");
+        if (std::find(modes.begin(), modes.end(), mode) != modes.end()) found.insert(entry.at("pass"));
+    }
+    return found;
+}
+
+TEST(Shaders, OfAFrameInWhichOnlyTheLightOrObjectsChange) {
+    ProgramRun program;
+    const std::string moving =
+        "shaders '" VCT_SOURCE_DIR "/assets/moving.glb' --out out --size 24x24 --grid 64 --preset mobile";
+    const std::set<std::string> light{"render_data", "shadow_map", "inject", "irradiance", "trace"};
+    program.expectSuccess(moving + " --changes light");
+    EXPECT_EQ(passes(program.folder.file("out/manifest.json"), "gi"), light);
+    program.expectSuccess(moving + " --changes objects");
+    std::set<std::string> objects = light;
+    objects.insert("voxelize");
+    EXPECT_EQ(passes(program.folder.file("out/manifest.json"), "gi"), objects);
+    EXPECT_NE(program.run(std::string("shaders ") + ProgramRun::cornell + " --out out --changes objects"), 0);
+    expectMentions(program.err, {"--changes objects", "no animation moves an object"});
 }
 
 }  // namespace

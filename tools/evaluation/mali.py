@@ -1,11 +1,11 @@
 """Computes the time below which the GPU of a phone cannot draw a frame, for each preset, mode and pass, without a phone.
 
-    tools/eval.py mali --compiler FILE [--gpu t880,g72,g52,g57,a630] [--size 960x540 --window 1920x1080]
+    tools/eval.py mali --compiler FILE [--gpu t880,g72,g52,g57,a630] [--size 960x540 --window 1920x1080] [--changes light]
 
 Nothing runs on a phone. `vct shaders` writes the shaders of a phone (ESSL 3.10, mediump as 16 bits) and counts how often each stage
-and each loop runs in a frame that rebuilds everything. Mesa's compiler counts the words of each pipe, such as A (arithmetic), LS
-(load/store) and T (texture) of a Mali-T880. The bound of a stage on a Mali-T880 MP12 (12 cores at 850 MHz, each with 3 arithmetic
-pipes) is
+and each loop runs in a frame that rebuilds everything, or (--changes) in which only objects or only the light change. Mesa's
+compiler counts the words of each pipe, such as A (arithmetic), LS (load/store) and T (texture) of a Mali-T880. The bound of a stage
+on a Mali-T880 MP12 (12 cores at 850 MHz, each with 3 arithmetic pipes) is
 
     words of all invocations / 12 cores, max(A/3, LS, T) / 850 MHz
 
@@ -43,6 +43,7 @@ PASSES = [step for step in STEPS if step != "total"] + ["present"]
 HEADS = {**STEPS, "present": "present"}
 FULL_SCREEN = "passes/full_screen.vert"
 MEASURED_PER_BOUND = 3.4  # the thesis's cones: 533 ms, and a bound of 159 ms
+CHANGES = ["everything", "objects", "light"]  # of `vct shaders`
 VERSION = 1
 
 
@@ -148,12 +149,14 @@ def presenting(compiler: Path, gpu: Gpu, preamble: str, folder: Path, size: tupl
     return costs
 
 
-def bounds(compiler: Path, scene: Path, size: tuple[int, int], window: tuple[int, int] | None, presets: Sequence[str],
-           gpus: Sequence[str]) -> Result:
-    """`gpus`: GPU -> preset -> mode -> stages, and `presets`: preset -> mode -> pass -> milliseconds of the Mali-T880."""
+def bounds(compiler: Path, scene: Path, changes: str, size: tuple[int, int], window: tuple[int, int] | None,
+           presets: Sequence[str], gpus: Sequence[str]) -> Result:
+    """`changes`: of `vct shaders`. `gpus`: GPU -> preset -> mode -> stages, and `presets`: preset -> mode -> pass -> milliseconds of the
+    Mali-T880, of frames in which everything changes."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        program.run("shaders", scene, "--out", folder, "--size", f"{size[0]}x{size[1]}", "--preset", ",".join(presets))
+        program.run("shaders", scene, "--out", folder, "--size", f"{size[0]}x{size[1]}", "--preset", ",".join(presets),
+                    "--changes", changes)
         manifest = json.loads((folder / "manifest.json").read_text())
         found: dict[str, Any] = {}
         for gpu in gpus:
@@ -168,8 +171,9 @@ def bounds(compiler: Path, scene: Path, size: tuple[int, int], window: tuple[int
                     mode: [vars(one) for one in frame(programs, GPUS[gpu], mode, manifest["vertices"], folder) + shown]
                     for mode in modes}
     presets_of = {preset: {mode: by_pass(stages, "bound_ms") for mode, stages in modes.items()}
-                  for preset, modes in found.get("t880", {}).items()}
-    return {"scene": scene.name, "size": list(size), "window": list(window or size), "presets": presets_of, "gpus": found}
+                  for preset, modes in found.get("t880", {}).items() if changes == CHANGES[0]}
+    return {"scene": scene.name, "changes": changes, "size": list(size), "window": list(window or size), "presets": presets_of,
+            "gpus": found}
 
 
 def by_pass(stages: Sequence[dict[str, Any]], key: str) -> dict[str, float]:
@@ -192,7 +196,7 @@ def table(result: Result, gpu: str) -> str:
     width, height = result["window"]
     return (f"{result['scene']}, {result['size'][0]}x{result['size'][1]} in a window of {width}x{height}: milliseconds below which a "
             f"{GPUS[gpu].name} cannot draw\n\n"
-            + markdown(["preset, mode", *names, "camera moving", "everything changing", "memory", "limit"], rows))
+            + markdown(["preset, mode", *names, "camera moving", f"{result['changes']} changing", "memory", "limit"], rows))
 
 
 def stage_table(stages: Sequence[dict[str, Any]], of: str) -> str:
@@ -217,6 +221,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--preset", type=options.names(options.PRESETS, "preset"), default=options.PRESETS, metavar="LIST",
                         help="presets, separated by commas (default: all)")
     parser.add_argument("--scene", default="cornell", help="a file, or a name in assets/ (default: cornell)")
+    parser.add_argument("--changes", choices=CHANGES, default=CHANGES[0],
+                        help="what changes in the frame; objects needs a scene with an animation (default: everything)")
     parser.add_argument("--size", type=options.size, default=(400, 400), help="WIDTHxHEIGHT (default: 400x400)")
     parser.add_argument("--window", type=options.size, help="WIDTHxHEIGHT of the app's window; adds the passes that show a frame")
     parser.add_argument("--out", type=Path, default=ROOT / "out/mali", help="folder (default: out/mali)")
@@ -225,7 +231,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(asked: argparse.Namespace) -> int:
     if not asked.compiler.is_file():
         raise Failed(f"there is no compiler {asked.compiler}\n{HOW}")
-    result = bounds(asked.compiler, find_scene(asked.scene), asked.size, asked.window, asked.preset, asked.gpu)
+    result = bounds(asked.compiler, find_scene(asked.scene), asked.changes, asked.size, asked.window, asked.preset, asked.gpu)
     explanation = "\n".join(__doc__.split("\n\n", 2)[2].splitlines()[:-1])
     stored = {"version": VERSION, "build": program.build_sha256(), **result}
     tables = "\n".join(table(result, gpu) for gpu in asked.gpu)
