@@ -46,7 +46,7 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
 TEST(Sequence, ConvergedFramesAreStillPicturesOfTheirTimes) {
     ProgramRun program;
     const std::string common =
-        std::string("render ") + moving + " --mode gi --size 48x40 --exposure 1 --out out ";
+        std::string("render ") + moving + " --mode gi --size 48x40 --exposure 1 --light-frames 15 --out out ";
     const auto farFromStill = [&](const std::string& options) {
         program.expectSuccess(common + "--time 0.5 --frames 2 --fps 1 " + options);
         expectMentions(program.err, {"ffmpeg -y -framerate 1 -i out/gi_%04d.png -frames:v 2 -c:v libx264"});
@@ -78,10 +78,10 @@ TEST(Sequence, ATurntableMovesTheCameraOnceAround) {
 
 TEST(Sequence, ProgressIsInStepsOfLight) {
     ProgramRun program;
-    const std::string slow = " --size 16x16 --exposure 1 --samples 1 --light-frames 400";
+    const std::string slow = " --size 16x16 --exposure 1 --samples 1 --light-frames 150";
     program.expectSuccess(std::string("render ") + moving +
                           " --mode gi --out out --time 1 --frames 1 --fps 1 --converged" + slow);
-    EXPECT_TRUE(std::regex_search(program.err, std::regex("64\\^3: light: step [0-9]+ of 528: 2 s so far")))
+    EXPECT_TRUE(std::regex_search(program.err, std::regex("64\\^3: light: step [0-9]+ of 278: 2 s so far")))
         << program.err;
 }
 

@@ -8,6 +8,7 @@
 
 #include "scene/camera.h"
 #include "support/frame_inspector.h"
+#include "support/renderers.h"
 #include "support/scenes.h"
 
 namespace vct::test {
@@ -101,7 +102,7 @@ TEST_P(ConvexBodies, DoNotShadowThemselves) {
     addTurned(scene, halfCircles(body.rings, body.straight), body.segments);
     const Mesh mesh = scene.meshes.front();
     addQuad(scene, {-6, -2.5, 6}, {12, 0, 0}, {0, 0, -12});  // a floor, for a volume larger than the body
-    Settings settings = presetSettings("mobile");
+    Settings settings = unrefinedPreset("mobile");
     settings.size = glm::ivec2(160);
     const Context context = openContext(Backend::egl);
     FrameInspector frame(context, finished(std::move(scene)), lightFrom({0, 1, 0}), settings,
@@ -142,7 +143,7 @@ TEST(ConvexMirror, DoesNotReflectItself) {
     addTurned(scene, halfCircles(16, 0.0), 32);
     scene.materials[0].metallic = 1.0F;
     scene.materials[0].roughness = 0.0F;
-    Settings settings = presetSettings("mobile");
+    Settings settings = unrefinedPreset("mobile");
     settings.size = glm::ivec2(96);
     const Context context = openContext(Backend::egl);
     FrameInspector frame(context, finished(std::move(scene)), lightFrom({0, 0, 1}), settings,

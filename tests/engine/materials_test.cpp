@@ -87,7 +87,7 @@ TEST(Materials, VertexColoursEqualMaterialsOfThoseColours) {
     const Context context = openContext(Backend::egl);
     const glm::vec4 red(0.8, 0.1, 0.05, 1.0), blue(0.1, 0.2, 0.7, 1.0);
     for (const char* preset : {"mobile", "thesis"}) {
-        Settings settings = presetSettings(preset);
+        Settings settings = unrefinedPreset(preset);
         settings.size = glm::ivec2(64);
         settings.grid = 64;
         Scene ofMaterials = twoFloors();

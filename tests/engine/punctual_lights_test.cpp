@@ -31,7 +31,7 @@ TEST_P(PunctualLightsOnAPlane, GiveTheIrradianceOfTheExtension) {
     for (const char* preset : {"thesis", "mobile"}) {
         Scene scene = lonePlane(0);
         scene.punctualLights = {GetParam().make()};
-        Settings settings = presetSettings(preset);
+        Settings settings = unrefinedPreset(preset);
         settings.grid = 64;
         settings.size = glm::ivec2(96);
         FrameInspector inspector(context, scene, darkSun(), settings, lookAt({0, 3, 0.01}, {0, 0, 0}, 45));
@@ -119,7 +119,7 @@ TEST(PunctualLights, HaveTheShadowsThatRaysFindAndLightNoCrease) {
         punctualLightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1})};
     for (const PunctualLight& light : lights) {
         const Scene scene = roomAtNight({light});
-        Settings settings = presetSettings("mobile");
+        Settings settings = unrefinedPreset("mobile");
         settings.size = glm::ivec2(256);
         FrameInspector inspector(context, scene, darkSun(), settings, intoRoom);
         const glm::dvec3 place(light.worldFromLight[3]);
@@ -173,7 +173,7 @@ TEST(PunctualLights, PastTheMapsCastNoShadowsAndGetOneWhereThereIsRoom) {
     std::vector<PunctualLight> lights(16, black);
     lights.insert(lights.begin() + 5, weakest);
     const Scene scene = roomAtNight(lights);
-    Settings settings = presetSettings("mobile");
+    Settings settings = unrefinedPreset("mobile");
     settings.size = glm::ivec2(128);
     FrameInspector inspector(context, scene, darkSun(), settings, intoRoom);
     Renderer renderer = makeRenderer(context, scene, darkSun(), settings);
@@ -221,7 +221,7 @@ TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
     const Scene both = roomAtNight({stays, goes});
     const DirectionalLight none = chooseLight(both);
     for (const char* preset : {"thesis", "mobile"}) {
-        Settings settings = presetSettings(preset);
+        Settings settings = unrefinedPreset(preset);
         settings.grid = 64;
         settings.size = glm::ivec2(96);
         Renderer renderer = makeRenderer(context, both, none, settings);

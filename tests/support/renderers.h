@@ -39,12 +39,18 @@ inline Settings smallSettings(int grid = 64, int pixels = 64) {
     return settings;
 }
 
+// A preset without the refinement of its light, which takes ten times as long as the bounces.
+inline Settings unrefinedPreset(const std::string& preset) {
+    Settings settings = presetSettings(preset);
+    settings.gather.refinedDirections = 0;
+    return settings;
+}
+
 // The preset mobile at its own grid.
 inline Settings mobileAt(int pixels) {
-    Settings settings = presetSettings("mobile");
+    Settings settings = unrefinedPreset("mobile");
     settings.size = glm::ivec2(pixels);
     settings.shadowMapSize = 256;
-    settings.gather.refinedDirections = 0;  // tests of the refinement ask for it
     return settings;
 }
 

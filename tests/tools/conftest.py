@@ -20,9 +20,30 @@ def root():
     return ROOT
 
 
+# Fifteen steps of light have all bounces. The refinement that follows sixteen takes ten times as long, and the tests of the tools
+# are not about it.
+WITHOUT_REFINEMENT = """#!/bin/sh
+case " $* " in
+    *" --light-frames "* | *" thesis "* | *" phong "*) ;;
+    " render "*) exec '{program}' "$@" --light-frames 15 ;;
+esac
+exec '{program}' "$@"
+"""
+
+
+@pytest.fixture(scope="session", autouse=True)
+def unrefined(tmp_path_factory):
+    """Puts a program that leaves the refinement out in the place of ctest's, also for the tools that the tests run."""
+    if path := os.environ.get("VCT_PROGRAM"):
+        script = tmp_path_factory.mktemp("program") / "vct"
+        script.write_text(WITHOUT_REFINEMENT.format(program=path))
+        script.chmod(0o755)
+        os.environ["VCT_PROGRAM"] = str(script)
+
+
 @pytest.fixture(scope="session")
-def program():
-    """The renderer under test, from ctest's environment."""
+def program(unrefined):
+    """The renderer under test."""
     path = os.environ.get("VCT_PROGRAM")
     if not path:
         pytest.skip("VCT_PROGRAM does not name the renderer")
