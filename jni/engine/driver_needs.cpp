@@ -25,8 +25,11 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
             "needed for voxelization at " + cubed + "; use a coarser grid");
     atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, std::max(settings.size.x, settings.size.y),
             "needed for the picture; use a smaller picture");
-    atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, settings.shadowMapSize,
-            "needed for the shadow map; use a smaller shadow map");
+    // Cascades share the map as 2 x 2 tiles.
+    const bool tiles = settings.cascades > 1;
+    atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, (tiles ? 2 : 1) * settings.shadowMapSize,
+            tiles ? "needed for the four shadow maps of cascades; use a smaller shadow map"
+                  : "needed for the shadow map; use a smaller shadow map");
     if (!faces) return needs;
     atLeast("GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", limits.fragmentStorageBlocks, 3,
             "needed for directional voxels, whose fragments also add to the sums of faces; use the preset "

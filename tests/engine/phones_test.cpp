@@ -107,14 +107,16 @@ TEST(Phones, WithWrongDerivativesAreToldToUseThePresetThesis) {
 
 TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
     Settings mobile = presetSettings("mobile"), finest = presetSettings("quality"),
-             thesis = presetSettings("thesis");
+             thesis = presetSettings("thesis"), nested = presetSettings("mobile");
+    nested.cascades = 2;
+    nested.shadowMapSize = 2048;
     mobile.size = glm::ivec2(640, 2340);
     finest.grid = 512;
     thesis.grid = 512;
     thesis.shadowMapSize = 4096;
     gl::Capabilities enough;
     enough.limits = {4096, 1024, 1024, 3, 6};
-    for (const Settings& settings : {mobile, finest, thesis})
+    for (const Settings& settings : {mobile, finest, thesis, nested})
         EXPECT_NO_THROW(requireNeeds(settings, enough));
     const struct {
         const Settings& settings;
@@ -129,6 +131,7 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
         {thesis, &gl::Limits::framebufferWidth, 512, "GL_MAX_FRAMEBUFFER_WIDTH >= 512"},
         {mobile, &gl::Limits::texture2d, 2340, "GL_MAX_TEXTURE_SIZE >= 2340"},
         {thesis, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},
+        {nested, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},
         {mobile, &gl::Limits::fragmentStorageBlocks, 3, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS >= 3"},
     };
     for (const auto& need : needs) {
