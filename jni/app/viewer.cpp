@@ -7,7 +7,6 @@
 #include "app/log.h"
 #include "gl/debug.h"
 #include "scene/camera.h"
-#include "scene/near_plane.h"
 
 namespace vct::app {
 
@@ -191,8 +190,7 @@ bool Viewer::drawScene(glm::ivec2 window) {
         }
         if (choices_.timeSteps) renderer.timer().startRecording(Clocks::cpu);
         renderer.render(
-            {{choices_.mode},
-             withFittedNearPlane(view_->camera(aspect_), *scene_, aspect_, pose ? &*pose : nullptr)});
+            {{choices_.mode}, nearPlane_->fitted(view_->camera(aspect_), aspect_, pose ? &*pose : nullptr)});
         if (!defaults_.exposure) exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {
@@ -374,6 +372,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
 
 void Viewer::show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec2 window) {
     scene_ = loaded.scene;
+    nearPlane_.emplace(*scene_);
     bakedLight_ = loaded.bakedLight;
     features_ = featuresOf(*scene_);
     obstacles_ = std::make_shared<const Obstacles>(*scene_);

@@ -21,6 +21,7 @@
 #include "lab/bench_run.h"
 #include "lab/gpu_counters.h"
 #include "lab/self_test.h"
+#include "scene/near_plane.h"
 #include "scene/scene_features.h"
 
 namespace vct::app {
@@ -178,6 +179,7 @@ class Viewer {
     LoadedSky sky_;        // Choices::skyPicture, once it is loaded
     std::string skyPath_;  // of sky_
     std::shared_ptr<const Scene> scene_;
+    std::optional<NearPlane> nearPlane_;     // of scene_
     std::vector<unsigned char> bakedLight_;  // see LoadedScene, and the next
     SceneFeatures features_;
     ViewDefaults defaults_;

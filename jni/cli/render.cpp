@@ -131,6 +131,7 @@ struct Placed {
     Camera camera;
     DirectionalLight light;
     Renderer& renderer;
+    NearPlane nearPlane{scene};
 
     // Moves the renderer's scene and sun to the frame's moment; returns the camera of the frame.
     Camera moveTo(const Frame& frame) const {
@@ -139,11 +140,11 @@ struct Placed {
         const auto turnedTo = [&](const Camera& from) {
             return turned(from, 0.5 * (subject.min + subject.max), frame.turn);
         };
-        if (!frame.momentS) return withFittedNearPlane(turnedTo(camera), scene, aspect);
+        if (!frame.momentS) return nearPlane.fitted(turnedTo(camera), aspect);
         const Pose pose = poseAt(scene.animation, *frame.momentS);
         renderer.setPose(pose);
         renderer.setLightDirection(posed(light, pose).directionToLight);
-        return withFittedNearPlane(turnedTo(posed(camera, pose)), scene, aspect, &pose);
+        return nearPlane.fitted(turnedTo(posed(camera, pose)), aspect, &pose);
     }
 };
 

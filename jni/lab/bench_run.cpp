@@ -105,7 +105,7 @@ BenchRun::BenchRun(Input input, std::string folder)
     if (!note.empty()) input_.log(note);
     if (input_.counters) input_.log("GPU counters: " + countersText(*input_.counters));
     features_ = featuresOf(*input_.scene);
-    camera_ = withFittedNearPlane(camera_, *input_.scene, aspectOf(input_.request.size));
+    camera_ = NearPlane(*input_.scene).fitted(camera_, aspectOf(input_.request.size));
     for (const BenchConfig& config : configsOf(input_.request)) {
         validate(settingsFor(config));
         runs_.push_back({config, {}});

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <optional>
 #include <vector>
 
 #include "scene/camera.h"
@@ -16,6 +16,8 @@ namespace {
 constexpr double clearance = 0.99;
 // The view is widened by this factor, because samples of a pixel shift the picture by a part of a pixel.
 constexpr double widening = 1.05;
+// Three per triangle of a part. Smaller parts have tighter bounds, and more of them are tested.
+constexpr std::size_t partIndices = std::size_t{3} * 128;
 
 // Positions of an instance's vertices in view space: camera space, with x and y divided by the tangents of
 // the half angles, so that the side planes of the view are |x| = depth and |y| = depth, and depth is -z.
@@ -25,7 +27,9 @@ class VertexPositions {
                     const glm::dmat4& viewFromWorld)
         : mesh_(mesh) {
         if (mesh.deformation != nullptr) {
-            deformation_ = stateOf(*mesh.deformation, pose);
+            const DeformationState state = stateOf(*mesh.deformation, pose);
+            for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+                deformed_.push_back(deformedVertex(*mesh.deformation, state, i).positionWorld);
             viewFromMesh_ = viewFromWorld;
             return;
         }
@@ -39,20 +43,26 @@ class VertexPositions {
     glm::dvec3 operator[](std::size_t vertex) const {
         return viewFromMesh_ * glm::dvec4(inMesh(vertex), 1.0);
     }
-    double depth(std::size_t vertex) const {
-        const glm::dvec3 position = inMesh(vertex);
-        return -(viewFromMesh_[0].z * position.x + viewFromMesh_[1].z * position.y +
-                 viewFromMesh_[2].z * position.z + viewFromMesh_[3].z);
+    // False if nothing in these bounds of the mesh can be in the view at a depth between 0 and `limit`.
+    bool mayShow(const Bounds& bounds, double limit) const {
+        if (mesh_.deformation != nullptr) return true;  // the bounds are those of the rest pose
+        const glm::dvec3 centre = 0.5 * (bounds.min + bounds.max), half = 0.5 * (bounds.max - bounds.min);
+        const auto largest = [&](const glm::dvec4& plane) {
+            return glm::dot(plane, glm::dvec4(centre, 1.0)) + glm::dot(glm::abs(glm::dvec3(plane)), half);
+        };
+        const glm::dvec4 x = glm::row(viewFromMesh_, 0), y = glm::row(viewFromMesh_, 1),
+                         z = glm::row(viewFromMesh_, 2);
+        return largest(z) > -limit && largest(-z) > 0.0 && largest(-z - x) >= 0.0 && largest(-z + x) >= 0.0 &&
+               largest(-z - y) >= 0.0 && largest(-z + y) >= 0.0;
     }
 
   private:
     glm::dvec3 inMesh(std::size_t vertex) const {
-        return deformation_ ? deformedVertex(*mesh_.deformation, *deformation_, vertex).positionWorld
-                            : glm::dvec3(mesh_.vertices[vertex].position);
+        return mesh_.deformation != nullptr ? deformed_[vertex] : glm::dvec3(mesh_.vertices[vertex].position);
     }
 
     const Mesh& mesh_;
-    std::optional<DeformationState> deformation_;
+    std::vector<glm::dvec3> deformed_;  // per vertex of a mesh that deforms
     glm::dmat4 viewFromMesh_;
 };
 
@@ -83,27 +93,39 @@ double smallestDepth(const std::array<glm::dvec3, 3>& corners, double limit) {
 
 }  // namespace
 
-Camera withFittedNearPlane(Camera camera, const Scene& scene, double aspect, const Pose* pose) {
-    double depth = usualNearPlane(scene.boundsWorld) / clearance;
+NearPlane::NearPlane(const Scene& scene) : scene_(scene) {
+    for (const Mesh& mesh : scene.meshes) {
+        std::vector<Part>& parts = parts_.emplace_back();
+        for (std::size_t first = 0; first < mesh.indices.size(); first += partIndices) {
+            Part part{first, std::min(first + partIndices, mesh.indices.size()), noBounds};
+            for (std::size_t i = part.firstIndex; i < part.lastIndex; ++i)
+                part.bounds.include(glm::dvec3(mesh.vertices[mesh.indices[i]].position));
+            parts.push_back(part);
+        }
+    }
+}
+
+Camera NearPlane::fitted(Camera camera, double aspect, const Pose* pose) const {
+    double depth = usualNearPlane(scene_.boundsWorld) / clearance;
     if (camera.clipFromWorld || camera.nearest >= clearance * depth) return camera;
 
     const double tanHalf = widening * std::tan(0.5 * camera.verticalFovRad);
     const glm::dmat4 viewFromWorld =
         glm::scale(glm::dmat4(1.0), 1.0 / glm::dvec3(tanHalf * aspect, tanHalf, 1.0)) *
         glm::inverse(camera.worldFromCamera);
-    std::vector<double> depths;  // per vertex
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (const Instance& instance : scene_.instances) {
+        const auto index = static_cast<std::size_t>(instance.mesh);
+        const Mesh& mesh = scene_.meshes[index];
         const VertexPositions positions(mesh, instance, pose, viewFromWorld);
-        depths.resize(mesh.vertices.size());
-        for (std::size_t i = 0; i < depths.size(); ++i)
-            depths[i] = positions.depth(i);
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-            const std::uint32_t* const index = &mesh.indices[i];
-            const auto [nearest, farthest] =
-                std::minmax({depths[index[0]], depths[index[1]], depths[index[2]]});
-            if (nearest < depth && farthest > 0.0)
-                depth = smallestDepth({positions[index[0]], positions[index[1]], positions[index[2]]}, depth);
+        for (const Part& part : parts_[index]) {
+            if (!positions.mayShow(part.bounds, depth)) continue;
+            for (std::size_t i = part.firstIndex; i + 2 < part.lastIndex; i += 3) {
+                const std::array<glm::dvec3, 3> corners{positions[mesh.indices[i]],
+                                                        positions[mesh.indices[i + 1]],
+                                                        positions[mesh.indices[i + 2]]};
+                const auto [farthest, nearest] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+                if (-nearest < depth && farthest < 0.0) depth = smallestDepth(corners, depth);
+            }
         }
     }
     camera.nearest = std::max(camera.nearest, clearance * depth);

@@ -110,7 +110,7 @@ TEST(MovingInstances, ABoxMayGrowWhileTheGpuIsAFrameBehind) {
     builder.animate(box, "scale", {0, 1, 2}, {0, 0, 0, 3, 1.8F, 3, 3.1F, 1.9F, 3.1F});
     const Scene scene = load(builder);
     PlayingScene stage(context, scene, mobileSettings());
-    const GpuOneFrameBehind behind;
+    const GpuOneFrameBehind delay;
     for (int frame = 0; frame < 12; ++frame)
         stage.frameAt(0.2 * frame);
     const DirectionalVoxels& voxels = stage.renderer().directional()->voxels();

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+#include <optional>
+
 #include "scene/camera.h"
 #include "support/scenes.h"
 
@@ -26,21 +29,21 @@ TEST(NearPlane, IsTheUsualOneIfNothingIsNear) {
     const double usual = usualNearPlane(scene.boundsWorld);
     EXPECT_NEAR(usual, 0.02 * std::sqrt(3.0), 1e-12);
     for (const double nearest : {1e-9, 1e-3, 0.9 * usual})
-        EXPECT_NEAR(withFittedNearPlane(eyeWithNearPlane(nearest), scene, 1.0).nearest, usual, 1e-12);
-    EXPECT_EQ(withFittedNearPlane(eyeWithNearPlane(1.0), scene, 1.0).nearest, 1.0);
+        EXPECT_NEAR(NearPlane(scene).fitted(eyeWithNearPlane(nearest), 1.0).nearest, usual, 1e-12);
+    EXPECT_EQ(NearPlane(scene).fitted(eyeWithNearPlane(1.0), 1.0).nearest, 1.0);
 }
 
 TEST(NearPlane, CutsNothingOff) {
     Scene scene = room();
     // A large floor right below the eye enters a picture of 90 degrees at the depth of its height.
     addQuad(scene, {-9, -0.01, 9}, {18, 0, 0}, {0, 0, -18});
-    const double fitted = withFittedNearPlane(eyeWithNearPlane(1e-6), finished(scene), 1.0).nearest;
+    const double fitted = NearPlane(finished(scene)).fitted(eyeWithNearPlane(1e-6), 1.0).nearest;
     EXPECT_LE(fitted, 0.01);
     EXPECT_GE(fitted, 0.009);
     // A picture that is less high sees the floor farther away.
     Camera flat = eyeWithNearPlane(1e-6);
     flat.verticalFovRad *= 0.5;
-    EXPECT_GT(withFittedNearPlane(flat, finished(scene), 2.0).nearest, 0.02);
+    EXPECT_GT(NearPlane(finished(scene)).fitted(flat, 2.0).nearest, 0.02);
 }
 
 TEST(NearPlane, IgnoresSurfacesOutsideThePicture) {
@@ -50,14 +53,14 @@ TEST(NearPlane, IgnoresSurfacesOutsideThePicture) {
     addQuad(scene, {-1, 0.1, -0.001}, {2, 0, 0}, {0, 2, 0});   // above
     addQuad(scene, {-1, -2.1, -0.001}, {2, 0, 0}, {0, 2, 0});  // below
     const Scene done = finished(scene);
-    EXPECT_NEAR(withFittedNearPlane(eyeWithNearPlane(1e-6), done, 1.0).nearest,
-                usualNearPlane(done.boundsWorld), 1e-12);
+    EXPECT_NEAR(NearPlane(done).fitted(eyeWithNearPlane(1e-6), 1.0).nearest, usualNearPlane(done.boundsWorld),
+                1e-12);
 }
 
 TEST(NearPlane, NeverLiesInFrontOfTheCamerasOwn) {
     Scene scene = room();
     addQuad(scene, {-1, -1, -0.001}, {2, 0, 0}, {0, 2, 0});
-    EXPECT_EQ(withFittedNearPlane(eyeWithNearPlane(0.005), finished(scene), 1.0).nearest, 0.005);
+    EXPECT_EQ(NearPlane(finished(scene)).fitted(eyeWithNearPlane(0.005), 1.0).nearest, 0.005);
 }
 
 TEST(NearPlane, FollowsMovingObjects) {
@@ -66,10 +69,47 @@ TEST(NearPlane, FollowsMovingObjects) {
     scene.instances.back().node = 0;
     const Scene done = finished(scene);
     Pose pose{{glm::dmat4(1.0)}, {}};
-    EXPECT_NEAR(withFittedNearPlane(eyeWithNearPlane(1e-6), done, 1.0, &pose).nearest,
+    EXPECT_NEAR(NearPlane(done).fitted(eyeWithNearPlane(1e-6), 1.0, &pose).nearest,
                 usualNearPlane(done.boundsWorld), 1e-12);
     pose.worldFromNode[0][3].z = 4.99;
-    EXPECT_NEAR(withFittedNearPlane(eyeWithNearPlane(1e-6), done, 1.0, &pose).nearest, 0.0099, 1e-6);
+    EXPECT_NEAR(NearPlane(done).fitted(eyeWithNearPlane(1e-6), 1.0, &pose).nearest, 0.0099, 1e-6);
+}
+
+// A floor of many triangles, of which few are near enough to matter.
+TEST(NearPlane, OfAFrameTakesLittleOfTheTimeThatAllTrianglesTake) {
+    Scene scene = room();
+    Mesh& floor = scene.meshes.emplace_back();
+    constexpr std::uint32_t cells = 512;
+    for (std::uint32_t z = 0; z <= cells; ++z)
+        for (std::uint32_t x = 0; x <= cells; ++x)
+            floor.vertices.push_back({{18.0F * x / cells - 9.0F, -0.01F, 18.0F * z / cells - 9.0F},
+                                      {0, 1, 0},
+                                      glm::vec2(0.0F),
+                                      glm::vec2(0.0F)});
+    for (std::uint32_t z = 0; z < cells; ++z)
+        for (std::uint32_t x = 0; x < cells; ++x) {
+            const std::uint32_t a = z * (cells + 1) + x, above = a + cells + 1;
+            floor.indices.insert(floor.indices.end(), {a, above, above + 1, a, above + 1, a + 1});
+        }
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()) - 1, glm::dmat4(1.0)});
+    const Scene done = finished(std::move(scene));
+    const auto secondsOf = [](const auto& work) {
+        const std::clock_t start = std::clock();
+        work();
+        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    };
+    std::optional<NearPlane> plane;
+    const double whole = secondsOf([&] { plane.emplace(done); });
+    constexpr int frames = 20;
+    double nearest = 0.0;
+    const double each = secondsOf([&] {
+                            for (int i = 0; i < frames; ++i)
+                                nearest = plane->fitted(eyeWithNearPlane(1e-6), 1.0).nearest;
+                        }) /
+                        frames;
+    EXPECT_LE(nearest, 0.01);
+    EXPECT_GE(nearest, 0.009);
+    EXPECT_LT(each, 0.5 * whole);
 }
 
 }  // namespace
