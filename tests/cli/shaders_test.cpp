@@ -80,12 +80,12 @@ std::set<std::string> passes(const std::string& manifest, const std::string& mod
 
 TEST(Shaders, OfAFrameInWhichOnlyTheLightOrObjectsChange) {
     ProgramRun program;
-    const std::string moving =
+    const std::string scene =
         "shaders '" VCT_SOURCE_DIR "/assets/moving.glb' --out out --size 24x24 --grid 64 --preset mobile";
     const std::set<std::string> light{"render_data", "shadow_map", "inject", "irradiance", "trace"};
-    program.expectSuccess(moving + " --changes light");
+    program.expectSuccess(scene + " --changes light");
     EXPECT_EQ(passes(program.folder.file("out/manifest.json"), "gi"), light);
-    program.expectSuccess(moving + " --changes objects");
+    program.expectSuccess(scene + " --changes objects");
     std::set<std::string> objects = light;
     objects.insert("voxelize");
     EXPECT_EQ(passes(program.folder.file("out/manifest.json"), "gi"), objects);
