@@ -66,11 +66,10 @@ vec3 cornerOffset(uint i) {
 // surface on the border of two blocks into the other block: the first eight tries use the bricks of the
 // blocks at most half a voxel away. It may also have moved a surface that ends at a wall, as in a crease, to
 // the wall's other side, so these tries read both sides. A surface so thin that the voxels missed it takes
-// the light of the first surface behind it, up to 16 blocks away: that surface faces the same way, and its
-// light has no steps at blocks. If there is none, as behind a bar in front of the sky, the surface takes the
-// mean of its block, of faces on the normal's side if possible: six faces with eight fetches each. If the
-// block has no faces of any side, the blocks around it follow, at twice the distance each time. All tries
-// share the fetch in the loop, because a second fetch would cost registers in every pixel.
+// the mean of its block, of faces on the normal's side if possible: six faces with eight fetches each. If the
+// block has no faces of any side, the blocks around it follow, at twice the distance each time. (Faces of the
+// right side in a block further away would often be the outside of a wall.) All tries share the fetch in the
+// loop, because a second fetch would cost registers in every pixel.
 mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
@@ -78,7 +77,7 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
     const mediump float minCoverage = 0.03;
     // Weight of faces that do not look to the normal's side, as much as a half float needs for dim light.
     const mediump float otherSide = 0.01;
-    const uint borderTries = 8u, firstInBlocks = borderTries + 2u * 16u, tries = firstInBlocks + 25u * 48u;
+    const uint borderTries = 8u, tries = borderTries + 25u * 48u;
 
     vec3 position = voxelsFromVolume(positionVolume, cascade);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
@@ -96,32 +95,21 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
                    irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, i == 0u || i > borderTries);
         } while (axes > 0);
         // The 48 fetches of a block belong together.
-        bool inBlocks = i > firstInBlocks, whole = !inBlocks || (i - firstInBlocks) % 48u == 0u;
+        bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;
         if (i == tries || whole && sum.a >= (inBlocks ? otherSide * minCoverage : minCoverage)) break;
 
         bool onBorder = i < borderTries;
-        vec3 size = abs(normal), away = cornerOffset(i);
-        int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-        vec3 along = vec3(equal(ivec3(axis), ivec3(0, 1, 2)));
-        uint layers = i - borderTries;  // of a block behind the surface: the near two, or the far two
-        if (i >= firstInBlocks) {
-            uint around = (i - firstInBlocks) / 48u, face = (i >> 3) % 6u;
-            axis = int(face >> 1);
-            float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
-            instead = side * (cosine > 0.1 ? cosine : sqrt(otherSide));
-            away =
-                around == 0u ? vec3(0.0) : exp2(float(2u + (around - 1u) / 8u)) * cornerOffset(around - 1u);
-        } else if (!onBorder) {
-            away = -sign(normal) * along * float(uint(VCT_BRICK_SIDE) * (layers >> 1));
-        }
+        uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
+        vec3 size = abs(normal);
+        int axis = onBorder ? size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2 : int(face >> 1);
+        float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
+        if (!onBorder) instead = side * (cosine > 0.1 ? cosine : sqrt(otherSide));
+        float aside = onBorder ? 1.0 : around == 0u ? 0.0 : exp2(float(2u + (around - 1u) / 8u));
         int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
-        block =
-            clampToCascade(ivec3(position + away) >> VCT_BRICK_LEVEL, ivec3(0, 0, cascade * blocks), blocks);
-        inBrick = positionInBrick(position, block);
-        if (i >= firstInBlocks)
-            inBrick = 2.0 * cornerOffset(i) + 3.0;
-        else if (!onBorder)
-            inBrick = mix(inBrick, vec3((normal[axis] > 0.0) == ((layers & 1u) == 0u) ? 4.0 : 2.0), along);
+        block = clampToCascade(
+            ivec3(position + aside * cornerOffset(onBorder ? i : around - 1u)) >> VCT_BRICK_LEVEL,
+            ivec3(0, 0, cascade * blocks), blocks);
+        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);
