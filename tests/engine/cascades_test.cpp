@@ -290,7 +290,7 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
         const auto rounded = std::count_if(placed.sums.begin(), placed.sums.end(), [&](const auto& face) {
             return moved.sums.count(face.first) == 0 || moved.sums[face.first] != face.second;
         });
-        EXPECT_LE(rounded, static_cast<std::ptrdiff_t>(placed.sums.size() / 2000));
+        EXPECT_LE(rounded, static_cast<std::ptrdiff_t>(placed.sums.size() / 450));
         moved.sums.clear();
         expectSameGrid(moved, placed, "frame " + std::to_string(frame));
     }
