@@ -112,7 +112,7 @@ TEST_P(Golden, EveryModeAndDebugViewIsUnchanged) {
                          << context.capabilities.renderer;
     }
     const auto [scene, preset] = GetParam();
-    if (scene == std::string("cornell") && preset == std::string("quality")) VCT_ONLY_AMONG_ALL();
+    if (preset == std::string("quality")) VCT_ONLY_AMONG_ALL();
     const std::string folder = std::string(VCT_SOURCE_DIR "/tests/golden/") + scene +
                                (preset == std::string("thesis") ? "" : std::string("/") + preset);
     const bool update = std::getenv("VCT_UPDATE_GOLDENS") != nullptr;
