@@ -6,6 +6,7 @@
 #include <random>
 
 #include "stand_in/stand_in.h"
+#include "support/every_test.h"
 #include "support/gltf_builder.h"
 #include "support/temporary_folder.h"
 
@@ -13,7 +14,7 @@ namespace vct::test {
 namespace {
 
 constexpr int shards = 4;
-constexpr int perShard = 100;
+const int perShard = runsEveryTest() ? 100 : 40;
 
 // The events follow Android's rules, such as start before resume, and touches only with a window.
 class RandomLife {
