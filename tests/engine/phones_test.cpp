@@ -115,7 +115,7 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
     thesis.grid = 512;
     thesis.shadowMapSize = 4096;
     gl::Capabilities enough;
-    enough.limits = {4096, 1024, 1024, 3, 6};
+    enough.limits = {4096, 1024, 2048, 3, 6};
     for (const Settings& settings : {mobile, finest, thesis, nested})
         EXPECT_NO_THROW(requireNeeds(settings, enough));
     const struct {
@@ -127,7 +127,7 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
         {mobile, &gl::Limits::texture3d, 64, "GL_MAX_3D_TEXTURE_SIZE >= 64"},
         {finest, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
         {thesis, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
-        {mobile, &gl::Limits::framebufferWidth, 128, "GL_MAX_FRAMEBUFFER_WIDTH >= 128"},
+        {mobile, &gl::Limits::framebufferWidth, 256, "GL_MAX_FRAMEBUFFER_WIDTH >= 256"},
         {thesis, &gl::Limits::framebufferWidth, 512, "GL_MAX_FRAMEBUFFER_WIDTH >= 512"},
         {mobile, &gl::Limits::texture2d, 2340, "GL_MAX_TEXTURE_SIZE >= 2340"},
         {thesis, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},
