@@ -120,6 +120,27 @@ TEST(MovingInstances, ABoxMayGrowWhileTheGpuIsAFrameBehind) {
     EXPECT_LE(faces, voxels.capacities()[list]);
 }
 
+// The bricks of an upright box are flat, those of a tilted one are not. A brick without a place would take
+// its light from elsewhere, and which one that is would depend on the order of threads.
+TEST(MovingInstances, ABoxThatTiltsHasRoomForItsBricks) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box =
+        addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, 1.2, 0}}, {"scale", {1.5, 1.5, 1.5}}});
+    builder.animate(box, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0.1736F, 0, 0.9848F});
+    const Scene scene = load(builder);
+    PlayingScene stage(context, scene, mobileSettings());
+    stage.frameAt(0.0);
+    stage.frameAt(1.0);
+    const DirectionalVolume& volume = *stage.renderer().directional();
+    constexpr std::size_t texels = VCT_BRICK_TEXELS, bytesOfTexel = 8;
+    const std::size_t room =
+        volume.irradiance()->textures().at(0)->bytes() / (texels * texels * texels * bytesOfTexel);
+    const shared::CommandLists found = volume.voxels().index().readCommands();
+    EXPECT_GT(found.fullBricks, 100U);
+    EXPECT_LE(found.fullBricks + found.flatBricks / texels, room);
+}
+
 // A picture of converged light has no frame after it that could add room.
 TEST(MovingInstances, ABoxFillsAConvergedPictureAtOnce) {
     const Context context = openContext(Backend::egl);

@@ -72,7 +72,7 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
         growIfNeeded(found);
         if (light_) {
             light_->onRaysBlocked(found.mostBlockedRays);
-            light_->onBricksPlaced(found.fullBricks, found.flatBricks);
+            light_->onBricksPlaced(found);
         }
         return;
     }
@@ -217,7 +217,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         if (i == 0 && inputs.lightSteps > 1 && (hasDynamic_ || hasCascades_)) {
             const shared::CommandLists found = voxels_.index().readCommands();
             light_->onRaysBlocked(found.mostBlockedRays);
-            light_->onBricksPlaced(found.fullBricks, found.flatBricks);
+            light_->onBricksPlaced(found);
         }
         if (inputs.onLightStep) inputs.onLightStep(i + 1, i + 1 + light_->stepsLeft());
     }

@@ -141,8 +141,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         marksAllWalls_ = false;
         if (isFirst) {
             // The bricks are counted by placing them.
-            const shared::CommandLists found = voxels.index().readCommands();
-            onBricksPlaced(found.fullBricks, found.flatBricks);
+            onBricksPlaced(voxels.index().readCommands());
             reserveBricks(voxels);
             uploadUniforms(objects, allBounces);
             bind(voxels);
@@ -330,12 +329,15 @@ std::vector<BakedLight::Face> Irradiance::bake(const DirectionalVoxels& voxels) 
     return faces;
 }
 
-void Irradiance::onBricksPlaced(std::uint32_t full, std::uint32_t flat) {
-    const auto withRoom = [this](std::uint32_t count) {
-        return listsChange_ ? count + count / 8 + 64 : count;
+void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
+    // An object that turns may make all its bricks full ones, and those of the surface beside it.
+    const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
+    const std::uint32_t moving = blocks.faceCount - std::min(blocks.staticFaces, blocks.faceCount);
+    const auto withRoom = [&](std::uint32_t count) {
+        return listsChange_ ? count + count / 8 + 64 + 3 * moving : count;
     };
-    if (full > fullBricks_) fullBricks_ = withRoom(full);
-    if (flat > flatBricks_) flatBricks_ = withRoom(flat);
+    if (found.fullBricks >= fullBricks_) fullBricks_ = withRoom(found.fullBricks);
+    if (found.flatBricks >= flatBricks_) flatBricks_ = withRoom(found.flatBricks);
 }
 
 // The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,

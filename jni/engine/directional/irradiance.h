@@ -42,8 +42,8 @@ class Irradiance {
         if (count > blockedCapacity_) blocked_ = count + count / 2;
     }
     // Reports how many bricks, full and flat ones, an earlier step has placed or had no room for. The next
-    // step has room for as many.
-    void onBricksPlaced(std::uint32_t full, std::uint32_t flat);
+    // step has room for as many, and for those that moving objects may need in their next pose.
+    void onBricksPlaced(const shared::CommandLists& found);
     // Makes the next step start without light and hits.
     void invalidate();
     // Makes the first step take over baked light. `isCurrent`: neither lights nor sky have changed since the
