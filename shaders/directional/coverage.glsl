@@ -42,13 +42,13 @@ bool isKept(ivec3 voxel) {
 #endif
 
 // One bit for each face that the fragment covers. Less than a slope of 1/500 covers nothing.
-bool covers(float coverage) {
+bool isCovered(float coverage) {
     return coverage > 1.0 / 8192.0 && fixedCoverage(coverage) > 0u;
 }
 uint coveredFaces(vec3 coverage) {
     uint faces = 0u;
-    if (covers(abs(coverage.x))) faces |= coverage.x > 0.0 ? 1u : 2u;
-    if (covers(abs(coverage.y))) faces |= coverage.y > 0.0 ? 4u : 8u;
-    if (covers(abs(coverage.z))) faces |= coverage.z > 0.0 ? 16u : 32u;
+    if (isCovered(abs(coverage.x))) faces |= coverage.x > 0.0 ? 1u : 2u;
+    if (isCovered(abs(coverage.y))) faces |= coverage.y > 0.0 ? 4u : 8u;
+    if (isCovered(abs(coverage.z))) faces |= coverage.z > 0.0 ? 16u : 32u;
     return faces;
 }

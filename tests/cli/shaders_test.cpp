@@ -71,7 +71,8 @@ TEST(Shaders, OfEveryKindOfSceneAreInTheList) {
 // The passes of the programs that the frames of a mode run.
 std::set<std::string> passes(const std::string& manifest, const std::string& mode) {
     std::set<std::string> found;
-    for (const auto& entry : nlohmann::json::parse(readBytes(manifest)).at("presets").at(0).at("programs")) {
+    const nlohmann::json document = nlohmann::json::parse(readBytes(manifest));
+    for (const auto& entry : document.at("presets").at(0).at("programs")) {
         const auto& modes = entry.at("modes");
         if (std::find(modes.begin(), modes.end(), mode) != modes.end()) found.insert(entry.at("pass"));
     }
