@@ -12,7 +12,7 @@ namespace vct {
 namespace {
 
 // Four pixels per voxel and axis, so that the coverage of a face has steps of 1/16, and the edge of a closed
-// box has no slit of more than a quarter of a voxel through which light leaks.
+// box has no slit of more than an eighth of a voxel through which light leaks.
 glm::ivec4 viewportFor(int grid) {
     return {0, 0, 4 * grid, 4 * grid};
 }
