@@ -122,7 +122,7 @@ TEST(MovingInstances, ABoxMayGrowWhileTheGpuIsAFrameBehind) {
 
 // The bricks of an upright box are flat, those of a tilted one are not. A brick without a place would take
 // its light from elsewhere, and which one that is would depend on the order of threads.
-TEST(MovingInstances, ABoxThatTiltsHasRoomForItsBricks) {
+TEST(MovingInstances, ABoxThatTurnsHasRoomForItsFacesAndBricks) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     const int box =
@@ -139,6 +139,8 @@ TEST(MovingInstances, ABoxThatTiltsHasRoomForItsBricks) {
     const shared::CommandLists found = volume.voxels().index().readCommands();
     EXPECT_GT(found.fullBricks, 100U);
     EXPECT_LE(found.fullBricks + found.flatBricks / texels, room);
+    for (const std::uint32_t list : {found.dynamicList, std::uint32_t{VCT_BRICK_LEVEL}})
+        EXPECT_LE(found.lists[list].faceCount, found.lists[list].faceCapacity) << "list " << list;
 }
 
 // A picture of converged light has no frame after it that could add room.

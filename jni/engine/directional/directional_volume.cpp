@@ -11,10 +11,11 @@ namespace vct {
 
 namespace {
 
-// Capacities for counts that change, so that buffers rarely grow: half as many again for objects, which may
-// turn and come nearer, and an eighth for static geometry that cascades reach.
+// Capacities for counts that change, so that buffers rarely grow: as many again for objects, which may turn
+// and come nearer (a box that turns by 20 degrees about one axis has twice as many faces as along the axes,
+// one that turns about all of them 4.3 times), and an eighth for static geometry that cascades reach.
 std::uint32_t roomForObjects(std::uint32_t count) {
-    return count + count / 2 + 256;
+    return 2 * count + 256;
 }
 std::uint32_t roomForMoves(std::uint32_t count) {
     return count + count / 8 + 256;
