@@ -112,7 +112,7 @@ void main() {
                     ++backs;
             }
         faceIrradianceData[at] = lightStep.firstBlocked + first;
-        faceIrradianceData[at + 1u] = packBlockedCounts(found, backs);
+        storeBlockedCounts(id, found, backs, false);
         storeFaceMean(id, VCT_MEAN_SKY_NOW, max(sky, 0.0) / max(rayCount - float(backs), 1.0));
     }
 }

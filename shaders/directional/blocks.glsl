@@ -14,13 +14,6 @@ uint blockWords(ivec3 block, int face, bool isDynamic) {
 uint bitInBlock(ivec3 voxel) {
     return uint((voxel.x & 3) + 4 * (voxel.y & 3) + 16 * (voxel.z & 3));
 }
-// The texture of occupied voxels (directional/fill_blocks.comp) has nine sets of them, three along x and
-// three along y: one for each octant of directions, and one of all faces. Returns the place of a set, in
-// widths of the grid of blocks.
-const int allFaces = 8;
-ivec2 placeOfSet(int set) {
-    return ivec2(set % 3, set / 3);
-}
 // The number of words of all blocks.
 uint allBlockWords() {
     uint side = uint(frame.gridSide) / uint(VCT_BRICK_SIDE);

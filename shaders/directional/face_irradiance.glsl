@@ -25,7 +25,7 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 #define VCT_MEAN_SKY_NOW 14u  // the same with moving objects
 #define VCT_FACE_SIGHT VCT_FACE_SIGHT_WORD  // FaceSight
 #define VCT_FACE_DIRECT 17u                 // packRgb9e5(), emission and reflected direct light
-#define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; packBlockedCounts()
+#define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; storeBlockedCounts()
 #define VCT_FACE_ROW 20u                    // two words: mean of `now` over a row of neighbouring faces
 #define VCT_FACE_EMITTERS 22u               // two words: irradiance by the compact emitters
 #define VCT_FACE_SEEN_PARTS 24u             // four words: visible share of the emitters' parts, 4 bits each
@@ -146,11 +146,22 @@ uint packBlocked(uint direction, uint hit) {
     return direction << 24u | hit;
 }
 
-// The number of blocked rays and of those among them that meet a back, and whether the face had the plane of
-// a moving object, as where one touches a static surface. Then its hits are of a plane that moves.
-const uint wasMerged = 0x80000000u;
-uint packBlockedCounts(uint rays, uint backs) {
-    return rays | backs << 16u;
+// The number of blocked rays and of those among them that meet a back; whether the face had the plane of a
+// moving object, as where one touches a static surface, so that its hits are of a plane that moves; and the
+// links to the faces beside it (directional/link_faces.comp): along the first axis across the face, bits for
+// the faces -1, -2, 1 and 2 voxels away, and as many for the second axis.
+const uint wasMerged = 0x80000000u, linkBits = 0xFF00u;
+void storeBlockedCounts(uint id, uint rays, uint backs, bool isMerged) {
+    uint at = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
+    faceIrradianceData[at] =
+        faceIrradianceData[at] & linkBits | rays | backs << 16u | (isMerged ? wasMerged : 0u);
+}
+uint faceLinks(uint id) {
+    return faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] >> 8u & 0xFFu;
+}
+void storeLinks(uint id, uint links) {
+    uint at = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
+    faceIrradianceData[at] = faceIrradianceData[at] & ~linkBits | links << 8u;
 }
 
 // Rays that meet the back of a surface do not count in the means.

@@ -90,9 +90,10 @@ float opacityOf(uint surface) {
 struct FaceExtent {
     float coverage;  // of the voxel's cross-section, 0..1
     bool isCurved;
-    vec2 place;    // middle of the covered part across the face, from the voxel's middle
-    uint inFront;  // a bit per face of the voxel: the covered part is in front of that face's plane,
-    uint behind;   // or behind it
+    vec2 place;  // middle of the covered part across the face, from the voxel's middle
+    // A bit per face of the voxel: the covered part is in front of that face's plane, or behind it. Both: the
+    // surface goes on behind that face, which is of a thin wall, and the voxel beside it has that part.
+    uint inFront, behind;
 };
 uint packExtent(FaceExtent extent) {
     uvec2 place = uvec2(clamp(extent.place + 0.5, 0.0, 1.0) * 62.0 + 0.5);

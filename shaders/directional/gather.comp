@@ -31,7 +31,7 @@ void main() {
             hits += hitsStep;
         }
         uint at = irradianceAt(id) + VCT_FACE_BLOCKED, first = faceIrradianceData[at];
-        uint blocked = faceIrradianceData[at + 1u] & 0xFFFFu;
+        uint blocked = faceIrradianceData[at + 1u] & 0xFFu;
         for (uint b = 0u; b < blocked; ++b) {
             uint word = faceIrradianceData[first + b];
             uvec4 now = uvec4(word & 0xFFFFFFu, uvec3(VCT_HIT_SKY));

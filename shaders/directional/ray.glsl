@@ -11,8 +11,7 @@ layout(binding = VCT_TEX_BLOCKS) uniform highp usampler3D blocks;  // directiona
 layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 
 const uint noFace = 0xFFFFFFFFu, backOfFace = 0xFFFFFFFEu;
-// The geometry that a ray may meet. Backs of surfaces stop rays only where that is asked for, because more
-// voxels have to be looked at.
+// The geometry that a ray may meet. Backs of surfaces stop rays only where that is asked for.
 const uint staticGeometry = 1u, dynamicGeometry = 2u, allGeometry = 3u, backsOfFaces = 4u;
 // Height of a ray's start above its surface, because neighbouring voxels round a plane differently.
 const float startHeight = 0.1;
@@ -46,13 +45,19 @@ uint faceOf(VoxelCells cells, int face) {
 }
 
 // True if a surface with this extent covers a point of its plane, both from the voxel's middle. `dice`: 0..1;
-// a surface with an opacity below 1 stops the share of the rays.
-bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 point, float dice) {
+// a surface with an opacity below 1 stops the share of the rays. `wall`: the face of a thin wall that has the
+// point on its other side; -1: none.
+bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 point, float dice, out int wall) {
     FaceExtent extent = unpackExtent(extentWord);
+    wall = -1;
     for (uint left = extent.inFront | extent.behind; left != 0u; left &= left - 1u) {
         int face = findLSB(left);
         SurfacePlane other = facePlane(faceOf(cells, face));
         float above = dot(point, other.normal) - other.offset;
+        if ((extent.inFront & extent.behind & 1u << uint(face)) != 0u) {
+            if (above < -acrossPlane) wall = face;
+            continue;
+        }
         if ((extent.inFront >> uint(face) & 1u) != 0u ? above < -acrossPlane : above > acrossPlane)
             return false;
     }
@@ -64,12 +69,24 @@ bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 poin
     return dice < opacityOf(surface);
 }
 
-// The id of the first face of a voxel that a ray meets. `origin`: of the ray, from the voxel's middle.
+// The id of the face that goes on behind a thin wall, beside the voxel; noFace: unknown.
+uint faceBehind(VoxelCells cells, ivec3 voxel, int face, int wall) {
+    vec3 normal = facePlane(faceOf(cells, wall)).normal * vec3(notEqual(ivec3(face >> 1), ivec3(0, 1, 2)));
+    vec3 size = abs(normal);
+    int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+    ivec3 beside = voxel - ivec3(sign(normal) * vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
+    if (beside != clampToCascade(beside, voxel, frame.gridSide)) return noFace;
+    uint cell = texelFetch(staticIndex, beside, 0).r;
+    return hasFace(cell, face) ? faceId(cell, face) : noFace;
+}
+
+// The id of the first face of a voxel that a ray meets. `start`: of the ray.
 // `faces`: a bit for each face that the ray may meet. `meetsBacks`: whether their backs count. `reach`: limit
 // of the distance, then that of the hit.
-uint firstFace(VoxelCells cells, uint faces, bool meetsBacks, vec3 origin, vec3 direction, float dice,
-               inout float reach) {
-    int first = -1;
+uint firstFace(VoxelCells cells, ivec3 voxel, uint faces, bool meetsBacks, vec3 start, vec3 direction,
+               float dice, inout float reach) {
+    vec3 origin = start - vec3(voxel) - 0.5;
+    int first = -1, wall = -1;
     bool isBackFirst = false;
     float best = 0.0, limit = reach;
     for (uint left = faces; left != 0u; left &= left - 1u) {
@@ -92,36 +109,40 @@ uint firstFace(VoxelCells cells, uint faces, bool meetsBacks, vec3 origin, vec3 
         if (isBack) weight = 0.0;
         bool isNearer = distance < reach - tie || distance < reach + tie && weight > best;
         if (!isNearer) continue;
-        if (!covers(cells, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice)) continue;
+        int behind;
+        if (!covers(cells, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice, behind)) continue;
+        wall = behind;
         reach = distance;
         best = weight;
         first = face;
         isBackFirst = isBack;
     }
     if (first < 0) return noFace;
+    if (wall >= 0 && !isBackFirst) {
+        uint behind = faceBehind(cells, voxel, first, wall);
+        if (behind != noFace || meetsBacks) return behind == noFace ? backOfFace : behind;
+    }
     return isBackFirst ? backOfFace : faceId(hasFace(cells.still, first) ? cells.still : cells.moving, first);
 }
 
-// A place in the texture of occupied voxels: the set that a ray reads, and behind it by `dynamicSets` along z
-// the same set of the dynamic objects; 0: the ray reads one of both.
-struct VoxelSet {
-    ivec3 first;
-    int dynamicSets;
+// The layers of the texture of occupied voxels that a ray reads: those from `first` on, and behind them by
+// `dynamicLayers` those of the dynamic objects; 0: the ray reads one of both.
+struct VoxelLayers {
+    int first, dynamicLayers;
 };
-VoxelSet voxelSetOf(int set, uint geometry) {
-    int side = frame.gridSide / VCT_BRICK_SIDE, depth = side * cascades;
+VoxelLayers layersOf(uint geometry) {
+    int depth = frame.gridSide / VCT_BRICK_SIDE * cascades;
     bool readsStatic = (geometry & staticGeometry) != 0u;
     bool readsDynamic = (geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0;
-    return VoxelSet(ivec3(placeOfSet(set) * side, readsStatic || !readsDynamic ? 0 : depth),
-                    readsStatic && readsDynamic ? depth : 0);
+    return VoxelLayers(readsStatic || !readsDynamic ? 0 : depth, readsStatic && readsDynamic ? depth : 0);
 }
 
 // The side of the largest empty cube, of 1, 2 or 4 voxels, that has a voxel; 0 if the voxel has faces that
 // the ray may meet.
-int emptySide(ivec3 voxel, VoxelSet set) {
-    ivec3 texel = (voxel >> VCT_BRICK_LEVEL) + set.first;
+int emptySide(ivec3 voxel, VoxelLayers from) {
+    ivec3 texel = (voxel >> VCT_BRICK_LEVEL) + ivec3(0, 0, from.first);
     uvec4 bits = texelFetch(blocks, texel, 0);
-    if (set.dynamicSets != 0) bits |= texelFetch(blocks, texel + ivec3(0, 0, set.dynamicSets), 0);
+    if (from.dynamicLayers != 0) bits |= texelFetch(blocks, texel + ivec3(0, 0, from.dynamicLayers), 0);
     uint below = bits.x | bits.y << 16u, above = bits.z | bits.w << 16u;
     uint layers = (voxel.z & 2) == 0 ? below : above;
     uint place = uint((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 1) << 4);
@@ -135,8 +156,8 @@ struct Ray {
     vec3 direction, inverse;
     vec3 ahead;  // 1 along the axes that it follows, 0 along those that it goes against
     float dice;
-    uint geometry, against;  // `against`: a bit for each face that it may meet
-    VoxelSet set;
+    uint geometry;
+    VoxelLayers layers;
 };
 
 // Walks through one cascade from the distance `now`, to the first face before the distance `end`, or to where
@@ -155,24 +176,24 @@ uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
     // The ray leaves a cube a little behind its border, so that it is past it in spite of rounding.
     vec3 leaves = mix(vec3(-1e-3), vec3(1.001), ray.ahead);
     ivec3 voxel = ivec3(origin + ray.direction * now);
-    int side = now < exit ? emptySide(voxel, ray.set) : 1;
+    int side = now < exit ? emptySide(voxel, ray.layers) : 1;
     uint id = noFace;
     while (now < exit && id == noFace) {
-        // To the next voxel with a face that looks against the ray.
+        // To the next voxel with a face.
         while (side != 0) {
             vec3 borders = (vec3(voxel & -side) + leaves * float(side) - origin) * ray.inverse;
             now = min(borders.x, min(borders.y, borders.z));
             if (!(now < exit)) break;
             voxel = ivec3(origin + ray.direction * now);
-            side = emptySide(voxel, ray.set);
+            side = emptySide(voxel, ray.layers);
         }
         if (side != 0) break;
         VoxelCells cells = cellsOf(voxel, ray.geometry);
-        uint faces = ((ray.geometry & staticGeometry) != 0u ? cells.still : 0u) |
-                     ((ray.geometry & dynamicGeometry) != 0u ? cells.moving : 0u);
+        uint faces = VCT_FACE_MASK & (((ray.geometry & staticGeometry) != 0u ? cells.still : 0u) |
+                                      ((ray.geometry & dynamicGeometry) != 0u ? cells.moving : 0u));
         float found = end;
-        id = firstFace(cells, faces & ray.against, (ray.geometry & backsOfFaces) != 0u,
-                       origin - vec3(voxel) - 0.5, ray.direction, ray.dice, found);
+        id = firstFace(cells, voxel, faces, (ray.geometry & backsOfFaces) != 0u, origin, ray.direction,
+                       ray.dice, found);
         if (id != noFace) now = found;
         side = 1;
     }
@@ -184,13 +205,7 @@ uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
 RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, uint geometry) {
     direction = mix(direction, vec3(1e-5), lessThan(abs(direction), vec3(1e-5)));
     vec3 ahead = step(0.0, direction);
-    uint octant = uint(ahead.x + 2.0 * ahead.y + 4.0 * ahead.z);
-    bool meetsBacks = (geometry & backsOfFaces) != 0u;
-    // Along each axis one of the two faces looks against the ray.
-    uvec3 faces = mix(uvec3(1u, 4u, 16u), uvec3(2u, 8u, 32u), greaterThan(direction, vec3(0.0)));
-    uint against = meetsBacks ? VCT_FACE_MASK : faces.x | faces.y | faces.z;
-    Ray ray = Ray(direction, 1.0 / direction, ahead, dice, geometry, against,
-                  voxelSetOf(meetsBacks ? allFaces : int(octant), geometry));
+    Ray ray = Ray(direction, 1.0 / direction, ahead, dice, geometry, layersOf(geometry));
     float distance = 0.0;
 #if VCT_CASCADES > 1
     vec3 volume = volumeFromVoxels(start, own);

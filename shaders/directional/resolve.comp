@@ -46,6 +46,51 @@ int mainFace(vec3 normal) {
     return 2 * axis + int(normal[axis] < 0.0);
 }
 
+// The normal of the fragment nearest to the middle of a face's voxel.
+vec3 nearestNormal(uint staticCell, uint dynamicCell, int face) {
+    uint plane = 0u;
+    if (hasFace(staticCell, face)) plane = faceSumData[sumsAt(faceId(staticCell, face)) + VCT_FACE_PLANE];
+    if (hasFace(dynamicCell, face))
+        plane = max(plane, faceSumData[sumsAt(faceId(dynamicCell, face)) + VCT_FACE_PLANE]);
+    return unpackPlane(plane).normal;
+}
+
+// If a thin wall crosses a surface, as one that stands on a floor, the face is of the part on the side of the
+// surface's middle. `points`: of the surface.
+void splitByWall(uint staticCell, uint dynamicCell, int own, SurfacePlane plane, uint points,
+                 inout FaceExtent extent) {
+    uint others = (staticCell | dynamicCell) & VCT_FACE_MASK & ~(1u << uint(own));
+    if (bitCount(others) < 2) return;
+    int axis = own >> 1;
+    for (uint left = others; left != 0u; left &= left - 1u) {
+        int front = findLSB(left);
+        vec3 normal = nearestNormal(staticCell, dynamicCell, front);
+        if (abs(dot(normal, plane.normal)) > 0.7) continue;
+        for (uint next = left & left - 1u; next != 0u; next &= next - 1u) {
+            int back = findLSB(next);
+            if (dot(normal, nearestNormal(staticCell, dynamicCell, back)) > -0.9) continue;
+            SurfacePlane one = unpackPlane(visiblePlane(combinedSums(staticCell, dynamicCell, front), front));
+            SurfacePlane two = unpackPlane(visiblePlane(combinedSums(staticCell, dynamicCell, back), back));
+            float thickness = one.offset + two.offset;
+            if (dot(one.normal, two.normal) > -0.97 || thickness < -0.05 || thickness > 1.0) continue;
+            uint before = pointsInFront(plane, axis, points, one),
+                 behind = pointsInFront(plane, axis, points, two);
+            // A surface that ends at the wall has no part on its other side.
+            bool ends = ((extent.inFront | extent.behind) & (1u << uint(front) | 1u << uint(back))) != 0u;
+            if (ends || before == 0u || behind == 0u) continue;
+            bool isBefore = bitCount(before) >= bitCount(behind);
+            uint mine = isBefore ? before : behind, bit = 1u << uint(isBefore ? front : back);
+            extent.inFront |= bit;
+            extent.behind |= bit;
+            vec2 sum = vec2(0.0);
+            for (uint rest = mine; rest != 0u; rest &= rest - 1u)
+                sum += pointAcross(findLSB(rest));
+            extent.place = sum / float(bitCount(mine));
+            return;
+        }
+    }
+}
+
 void main() {
     uint count = baseFaceCount();
     bool hasDynamic = faceCount(dynamicList) > 0u;
@@ -124,6 +169,7 @@ void main() {
                 extent.inFront = extent.behind = 0u;
             }
         }
+        splitByWall(staticCell, dynamicCell, listed.face, plane, points, extent);
         uint at = faceAt(id);
         faceData[at + VCT_FACE_SURFACE] = packSurface(visible, opacity);
         faceData[at + VCT_FACE_EXTENT] = packExtent(extent);

@@ -25,7 +25,7 @@ WeightedMean besideMean(uint id) {
 vec4 windowMean(ListedFace listed, uint id, vec4 now) {
     // A face inside of a solid takes the light of those beside it.
     float own = isHidden(id) ? 0.0 : closeness(faceSight(id).nearness);
-    WeightedMean window = meanAlong(listed, id, vec2(0.0, 1.0));
+    WeightedMean window = meanAlong(listed, id, 1);
     return window.weight > 0.0 ? mix(window.mean, now, own) : now;
 }
 

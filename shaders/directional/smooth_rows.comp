@@ -17,7 +17,7 @@ void main() {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        WeightedMean row = meanAlong(listed, id, vec2(1.0, 0.0));
+        WeightedMean row = meanAlong(listed, id, 0);
         storeFaceRow(id, row.mean, row.weight);
     }
 }

@@ -68,7 +68,7 @@ void main() {
         bool merged = !isDynamic && isMergedNow(listed);
         if (!isDynamic && merged != ((faceIrradianceData[blocked] & wasMerged) != 0u)) {
             invalidateRays(id);
-            faceIrradianceData[blocked] = merged ? wasMerged : 0u;
+            storeBlockedCounts(id, 0u, 0u, merged);
         }
         isDynamic = isDynamic || merged;
         // Baked light comes with a sight, and without hits.

@@ -51,10 +51,6 @@ gl::ProgramDescription listFreeProgram() {
 
 namespace {
 
-// Sets of voxels in the texture of blocks, along x and along y (placeOfSet() in
-// shaders/directional/blocks.glsl).
-constexpr int setsAcross = 3;
-
 // The position of a listed face's voxel in an array of side^2 voxels per layer.
 std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
     const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);
@@ -75,8 +71,8 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
       index_(shaders, grid, listCapacity,
              dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
              cascades),
-      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, setsAcross * grid / VCT_BRICK_SIDE,
-                                  setsAcross * grid / VCT_BRICK_SIDE,
+      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, grid / VCT_BRICK_SIDE,
+                                  grid / VCT_BRICK_SIDE,
                                   (dynamicObjects ? 2 : 1) * cascades * grid / VCT_BRICK_SIDE, 1)),
       markStatic_(shaders, markStaticProgram()),
       fillBlocks_(shaders, fillBlocksProgram(emission)),
@@ -99,7 +95,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
 std::size_t DirectionalVoxels::bytesFor(int grid, int cascades, std::uint32_t listCapacity) {
     const int blocks = grid / VCT_BRICK_SIDE;
     return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces, cascades) +
-           gl::textureBytes(GL_RGBA16UI, setsAcross * blocks, setsAcross * blocks, cascades * blocks, 1);
+           gl::textureBytes(GL_RGBA16UI, blocks, blocks, cascades * blocks, 1);
 }
 
 Resources DirectionalVoxels::resources() const {

@@ -69,6 +69,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
       markWalls_(shaders, lightProgram("mark_walls", sources)),
+      linkFaces_(shaders, lightProgram("link_faces", sources)),
       sky_(shaders, raysProgram("sky", settings, sources)),
       trace_(shaders, raysProgram("trace", settings, sources)),
       gather_(shaders, raysProgram("gather", settings, sources)),
@@ -138,6 +139,8 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     if (std::exchange(placesBricks_, false)) {
         if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
         placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
+        linkFaces(voxels, marksAllWalls_ || voxels.hasDynamicObjects() ? DirectionalVoxels::allCascades
+                                                                       : change.voxelized);
         marksAllWalls_ = false;
         if (isFirst) {
             // The bricks are counted by placing them.
@@ -437,6 +440,13 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void Irradiance::linkFaces(const DirectionalVoxels& voxels, std::uint32_t changed) const {
+    linkFaces_.use();
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);
+    voxels.bindForRays();
+    runOverAll(linkFaces_, voxels);
 }
 
 std::vector<const gl::Texture*> Irradiance::textures() const {

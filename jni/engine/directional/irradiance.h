@@ -118,14 +118,17 @@ class Irradiance {
     void markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
                    std::uint32_t cascades) const;
 
+    // Links the faces of these cascades, a bit for each, and of moving objects to those beside them.
+    void linkFaces(const DirectionalVoxels& voxels, std::uint32_t changed) const;
+
     GatherSettings settings_;
     int lightFrames_;
     bool hasObjects_, listsChange_;
     LightSchedule schedule_;
     LightPlan plan_;
     LightSchedule::Change pending_;  // changes that no step has taken into account yet
-    gl::Program clearBricks_, placeBricks_, markWalls_, sky_, trace_, gather_, refine_, smoothRows_, smooth_,
-        fillBricks_;
+    gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
+        smoothRows_, smooth_, fillBricks_;
     std::optional<gl::Program> carryOver_, carryHits_;      // only with dynamic objects or cascades
     std::optional<gl::Program> forwardHits_, listVisited_;  // only with cascades
     std::optional<gl::Program> block_;                      // only with moving objects
