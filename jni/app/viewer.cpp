@@ -85,7 +85,10 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
 void Viewer::present(const Renderer* renderer, glm::ivec2 window, const glm::ivec4& free, double passedS) {
     const bool isTimed = renderer != nullptr && (stepMs_ || bench_);
     const double startMs = isTimed ? StepTimer::finishedAtMs() : 0.0;
-    if (renderer != nullptr) gl_->presenter().prepare(*renderer, exposure(), window);
+    if (renderer != nullptr)
+        gl_->presenter().prepare(*renderer, exposure(), window);
+    else if (testResult_)
+        gl_->presenter().useNext();
     {
         const gl::RenderPass pass = windowPass(window, renderer != nullptr ? black : background);
         if (renderer != nullptr) gl_->presenter().draw(window);
@@ -141,8 +144,10 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
         content.status = "loading " + scenes_.loaded().name;
     else if (skies_.loading())
         content.status = "loading " + skies_.loaded().name;
-    else if (unlinked_ > 0)
+    else if (unlinked_ > 1)
         content.status = "preparing the scene: " + std::to_string(unlinked_) + " programs to compile";
+    else if (unlinked_ == 1)
+        content.status = "preparing the scene: computing its first light";
     else if (!testResult_)
         content.status = "testing the driver" + (selfTest_ ? ": " + selfTest_->progress() : "");
     else if (bench_)
