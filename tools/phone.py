@@ -2,7 +2,8 @@
 
   scripts/phone.sh all                   installs, tests, measures and takes pictures; makes a folder and an archive to send
   scripts/phone.sh install               installs the APK
-  scripts/phone.sh push SCENE.glb...     copies scenes to the phone with the files that they name, for the app's list of scenes
+  scripts/phone.sh push SCENE.glb...     copies scenes to the phone with the files that they name, and their sky (.hdr) and kept
+                                         light (.vctlight) beside them, for the app's list of scenes; skies (.hdr) alone, too
   scripts/phone.sh bench [KEY=VALUE...]  installs, measures, copies the results and prints the tables;
                                          default: scene=cornell.glb preset=thesis size=400x400
   scripts/phone.sh shot                  saves a picture of the phone's screen
@@ -28,6 +29,7 @@ from device.adb import FILES, Adb
 from device.app import App
 from files import ROOT, Failed
 
+BESIDE = (".hdr", ".vctlight")  # what the app reads of the same name beside a scene
 BENCH = {"scene": "cornell.glb", "preset": "thesis", "size": "400x400"}
 
 
@@ -80,8 +82,8 @@ class Options:
 
 
 def files_of(scene: Path) -> list[Path]:
-    """A scene and the files that it names, relative to its folder."""
-    found = [Path(scene.name)]
+    """A scene, its sky and its light, and the files that it names, relative to its folder."""
+    found = [Path(scene.name), *(Path(scene.name).with_suffix(ending) for ending in BESIDE if scene.with_suffix(ending).is_file())]
     if scene.suffix == ".gltf":
         try:
             document = json.loads(scene.read_text())
@@ -102,12 +104,12 @@ def files_of(scene: Path) -> list[Path]:
 
 def push(adb: Adb, scenes: list[str]) -> None:
     if not scenes:
-        raise Failed("push needs at least one scene, .glb or .gltf")
+        raise Failed("push needs at least one scene (.glb, .gltf) or sky (.hdr)")
     for scene in scenes:
         if not Path(scene).is_file():
             raise Failed(f"there is no file '{scene}'")
-        if not scene.endswith((".glb", ".gltf")):
-            raise Failed(f"'{scene}' is neither .glb nor .gltf")
+        if not scene.endswith((".glb", ".gltf", ".hdr")):
+            raise Failed(f"'{scene}' is neither .glb nor .gltf nor .hdr")
     wanted = [(Path(scene), files_of(Path(scene))) for scene in scenes]
     adb.require_phone()
     if not adb.has_app():
@@ -120,7 +122,7 @@ def push(adb: Adb, scenes: list[str]) -> None:
             done = adb.raw("push", str(scene.parent / name), target, timeout_s=600)
             if done.returncode != 0:
                 raise Failed(f"cannot push '{scene.parent / name}': {(done.stdout + done.stderr).decode(errors='replace').strip()}")
-        say(f"pushed {' '.join(map(str, names))}; the app's list of scenes shows {scene.name} when opened next")
+        say(f"pushed {' '.join(map(str, names))}; the app's lists show {scene.name} when opened next")
 
 
 def bench(adb: Adb, options: Options) -> None:

@@ -1,6 +1,7 @@
 #include "app/presenter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/app_programs.h"
@@ -91,6 +92,24 @@ void Presenter::draw(glm::ivec2 window) const {
                       1.0F / static_cast<float>(r.z), 1.0F / static_cast<float>(r.w));
     }
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// Each draws a few pixels. llvmpipe compiles other code for sides that are powers of two.
+void Presenter::useNext() {
+    const std::array<const gl::Program*, 3> programs{&toneMap_, &smooth_, &scale_};
+    if (used_ == static_cast<int>(programs.size())) return;
+    const gl::Texture source =
+        gl::Texture::make2d("source of a first use", used_ == 0 ? GL_RGBA16F : GL_RGBA8, 3, 3);
+    source.setFilter(GL_LINEAR, GL_LINEAR);
+    const Target target = makeTarget("target of a first use", glm::ivec2(3));
+    noVertices_.bind();
+    const gl::RenderPass pass = programs[used_] == &scale_
+                                    ? windowPass(glm::ivec2(3), glm::vec3(0.0F))
+                                    : gl::RenderPass(target.framebuffer, gl::Load::invalidate);
+    programs[used_]->use();
+    source.bind(frameUnit);
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    ++used_;
 }
 
 gl::RenderPass windowPass(glm::ivec2 window, const glm::vec3& color) {

@@ -35,6 +35,10 @@ class Presenter {
     // another aspect ratio keeps it; the rest of the window is not touched.
     void draw(glm::ivec2 window) const;
 
+    // Uses one more of the programs in a frame without a picture, because some drivers compile a program when
+    // it is first used. Must be called outside of a render pass.
+    void useNext();
+
     void dropTargets() {
         frameSize_ = glm::ivec2(0);
         toneMapped_ = {};
@@ -54,6 +58,7 @@ class Presenter {
     glm::ivec2 frameSize_{0};
     Target toneMapped_;
     Target smoothed_;  // empty where the window has as many pixels as the frame
+    int used_ = 0;     // programs that useNext() has used
 };
 
 // The render pass of the current window. It first clears the window to an sRGB-encoded colour.

@@ -15,6 +15,21 @@ namespace {
 constexpr const char* firstScene = "cornell.glb";
 const glm::vec3 black(0.0F), background(0.08F);
 
+std::shared_ptr<const PreparedScene> prepared(LoadedScene loaded, double aspect, const ViewerHost& host) {
+    PreparedScene result;
+    const Scene& scene = *loaded.scene;
+    result.look = host.defaultsFor(scene, loaded.sky, aspect);
+    if (!result.look.camera && scene.cameras.empty()) {
+        result.framed = chooseCamera(scene, "", aspect);
+        result.framed->aspectRatio = aspect;
+    }
+    result.features = featuresOf(scene);
+    result.nearPlane = std::make_unique<const NearPlane>(scene);
+    result.obstacles = std::make_shared<const Obstacles>(scene);
+    result.loaded = std::move(loaded);
+    return std::make_shared<const PreparedScene>(std::move(result));
+}
+
 }  // namespace
 
 Viewer::Viewer(ViewerHost host, const ShowRequest& request)
@@ -58,7 +73,7 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     if (!gl_->missing().empty()) return drawMessage(window, free);
 
     testDriver();
-    const bool measuring = request_ && !scenes_.loading() && testResult_;
+    const bool measuring = request_ && !isLoading() && testResult_;
     bool isRendered = false;
     if (measuring)
         measure();
@@ -85,7 +100,10 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
 void Viewer::present(const Renderer* renderer, glm::ivec2 window, const glm::ivec4& free, double passedS) {
     const bool isTimed = renderer != nullptr && (stepMs_ || bench_);
     const double startMs = isTimed ? StepTimer::finishedAtMs() : 0.0;
-    if (renderer != nullptr) gl_->presenter().prepare(*renderer, exposure(), window);
+    if (renderer != nullptr)
+        gl_->presenter().prepare(*renderer, exposure(), window);
+    else if (testResult_)
+        gl_->presenter().useNext();
     {
         const gl::RenderPass pass = windowPass(window, renderer != nullptr ? black : background);
         if (renderer != nullptr) gl_->presenter().draw(window);
@@ -139,10 +157,14 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.measuring = request_.has_value();
     if (scenes_.loading())
         content.status = "loading " + scenes_.loaded().name;
+    else if (preparing_.valid())
+        content.status = "preparing " + scenes_.loaded().name;
     else if (skies_.loading())
         content.status = "loading " + skies_.loaded().name;
-    else if (unlinked_ > 0)
+    else if (unlinked_ > 1)
         content.status = "preparing the scene: " + std::to_string(unlinked_) + " programs to compile";
+    else if (unlinked_ == 1)
+        content.status = "preparing the scene: computing its first light";
     else if (!testResult_)
         content.status = "testing the driver" + (selfTest_ ? ": " + selfTest_->progress() : "");
     else if (bench_)
@@ -174,10 +196,11 @@ bool Viewer::drawScene(glm::ivec2 window) {
     const bool mayNeedPrograms = !good_ || *good_ != wanted || gl_->renderer() == nullptr;
     const std::string failure = failureOf([&] {
         const Settings settings = settingsOf(window);
-        if (mayNeedPrograms) unlinked_ = gl_->linkNext(features_, settings, choices_.mode);
+        if (mayNeedPrograms) unlinked_ = gl_->linkNext(prepared_->features, settings, choices_.mode);
         if (unlinked_ > 0) return;
         aspect_ = aspectOf(settings.size);
-        Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_, bakedLight_);
+        Renderer& renderer =
+            gl_->rendererFor(scene_, light(), settings, choices_, prepared_->loaded.bakedLight);
         std::optional<Pose> pose;
         if (!scene_->animation.channels.empty()) {
             pose = poseAt(scene_->animation, sceneTimeS());
@@ -190,7 +213,8 @@ bool Viewer::drawScene(glm::ivec2 window) {
         }
         if (choices_.timeSteps) renderer.timer().startRecording(Clocks::cpu);
         renderer.render(
-            {{choices_.mode}, nearPlane_->fitted(view_->camera(aspect_), aspect_, pose ? &*pose : nullptr)});
+            {{choices_.mode},
+             prepared_->nearPlane->fitted(view_->camera(aspect_), aspect_, pose ? &*pose : nullptr)});
         if (!defaults_.exposure) exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {
@@ -207,8 +231,8 @@ bool Viewer::drawScene(glm::ivec2 window) {
     if (unlinked_ > 0) return false;
     if (!good_ || good_->scene != scene_)
         log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");
-    if (!good_ || good_->scene != scene_) goodBakedLight_ = bakedLight_;
     good_ = wanted;
+    goodPrepared_ = prepared_;
     goodDefaults_ = defaults_;
     failed_.reset();
     return true;
@@ -333,7 +357,7 @@ void Viewer::revert(const std::string& why, glm::ivec2 window) {
     failed_ = wanted;
     if (!good_ || *good_ == wanted) return;
     choices_ = good_->choices;
-    if (scene_ != good_->scene) show({good_->scene, goodBakedLight_}, goodDefaults_, window);
+    if (scene_ != good_->scene) show(goodPrepared_, goodDefaults_, window);
 }
 
 void Viewer::fail(const std::string& message) {
@@ -342,24 +366,35 @@ void Viewer::fail(const std::string& message) {
 }
 
 std::string Viewer::scenePath() const {
-    if (scenes_.loading()) return scenes_.loaded().path;
+    if (isLoading()) return scenes_.loaded().path;
     return scene_ ? scene_->path : "";
+}
+
+std::shared_ptr<const PreparedScene> Viewer::takePreparedScene(glm::ivec2 window) {
+    if (!preparing_.valid()) {
+        std::optional<LoadedScene> loaded = scenes_.take();
+        if (!loaded) return nullptr;
+        preparing_ = std::async(std::launch::async, [this, loaded = std::move(*loaded),
+                                                     aspect = aspectOf(sizeIn(window))]() mutable {
+            return prepared(std::move(loaded), aspect, host_);
+        });
+    }
+    if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
+    std::shared_ptr<const PreparedScene> ready = preparing_.get();
+    return scenes_.loading() ? nullptr : ready;  // the user has chosen another scene
 }
 
 void Viewer::takeLoadedScene(glm::ivec2 window) {
     try {
-        const std::optional<LoadedScene> loaded = scenes_.take();
-        if (!loaded) return;
-        const Scene& scene = *loaded->scene;
-        for (const std::string& warning : scene.warnings)
+        const std::shared_ptr<const PreparedScene> ready = takePreparedScene(window);
+        if (!ready) return;
+        for (const std::string& warning : ready->loaded.scene->warnings)
             log(LogLevel::warning, warning);
-        const double aspect = aspectOf(sizeIn(window));
-        const ViewDefaults look = host_.defaultsFor(scene, loaded->sky, aspect);
         if (scene_) choices_.lightsOff.reset();  // the first scene keeps the lights of the ShowRequest
-        show(*loaded, look, window);
+        show(ready, ready->look, window);
         if (!defaults_.camera) {
-            const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
-            const std::string note = cameraNote(*scene_, "", seen, aspect);
+            const Camera seen = scene_->cameras.empty() ? view_->camera(aspect_) : scene_->cameras.front();
+            const std::string note = cameraNote(*scene_, "", seen, aspect_);
             if (!note.empty()) log(note);
         }
         choices_.lightAnglesDeg.reset();
@@ -370,25 +405,32 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
     }
 }
 
-void Viewer::show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec2 window) {
-    scene_ = loaded.scene;
-    nearPlane_.emplace(*scene_);
-    bakedLight_ = loaded.bakedLight;
-    features_ = featuresOf(*scene_);
-    obstacles_ = std::make_shared<const Obstacles>(*scene_);
+void Viewer::show(std::shared_ptr<const PreparedScene> prepared, const ViewDefaults& look,
+                  glm::ivec2 window) {
+    prepared_ = std::move(prepared);
+    scene_ = prepared_->loaded.scene;
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
     if (look.cascades) choices_.cascades = look.cascades;
     exposure_ = {};
     camera_ = 0;
     aspect_ = aspectOf(sizeIn(window));
-    view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
+    startView();
+}
+
+// The framed view keeps the aspect ratio that it was made for.
+void Viewer::startView() {
+    const std::optional<Camera>& framed = prepared_->framed;
+    if (!defaults_.camera && framed)
+        view_.emplace(*scene_, framed, *framed->aspectRatio, prepared_->obstacles);
+    else
+        view_.emplace(*scene_, defaults_.camera, aspect_, prepared_->obstacles);
 }
 
 void Viewer::reset() {
     choices_.lightAnglesDeg.reset();
     if (!scene_) return;
-    view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
+    startView();
     exposure_ = {};
 }
 
@@ -411,7 +453,7 @@ void Viewer::showFrom(int camera) {
     if (!scene_ || camera >= static_cast<int>(scene_->cameras.size())) return;
     camera_ = camera;
     defaults_.camera = scene_->cameras[static_cast<std::size_t>(camera)];
-    view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
+    startView();
 }
 
 void Viewer::open(const std::string& path) {

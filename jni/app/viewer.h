@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,17 @@ struct ViewDefaults {
     std::optional<int> cascades;          // empty: as in Choices
 };
 
+// A loaded scene, with what a thread computes from it before it is shown, because that takes seconds for
+// millions of triangles.
+struct PreparedScene {
+    LoadedScene loaded;
+    ViewDefaults look;
+    std::optional<Camera> framed;  // a view of the whole scene; empty if the scene or the look has a camera
+    SceneFeatures features;
+    std::unique_ptr<const NearPlane> nearPlane;
+    std::shared_ptr<const Obstacles> obstacles;
+};
+
 // Services of the platform that the viewer runs on.
 struct ViewerHost {
     std::string backend;       // driver.backend of timings.json
@@ -56,7 +68,7 @@ struct ViewerHost {
     std::function<std::optional<float>()> thermalHeadroom = [] { return std::nullopt; };
     std::function<GpuCounters()> openGpuCounters;  // empty on a desktop
     // Returns how to show a scene that was just loaded, in a window of `aspect`. `sky`: the picture beside
-    // it, or null. May throw vct::Error.
+    // it, or null. Runs on a thread of its own. May throw vct::Error.
     std::function<ViewDefaults(const Scene&, const LoadedSky& sky, double aspect)> defaultsFor;
 };
 
@@ -114,7 +126,7 @@ class Viewer {
     void fail(const std::string& message);            // shows the message in the panel and logs it
 
     // True if the first scene could not be loaded and there is no other.
-    bool hasNothingToShow() const { return !scene_ && !scenes_.loading() && !message_.empty(); }
+    bool hasNothingToShow() const { return !scene_ && !isLoading() && !message_.empty(); }
 
     // The picture on the screen without the panel, and everything that it depends on.
     struct Seen {
@@ -166,24 +178,24 @@ class Viewer {
     void measure();
     void endMeasuring(const std::string& failure);  // "": the measurement is complete
 
+    bool isLoading() const { return scenes_.loading() || preparing_.valid(); }  // a scene
     std::string scenePath() const;  // path of the scene that is being loaded, or else is shown
     void choose(int scene);         // loads a scene of the list, as the user asked
     void followSky();               // loads the picture that was chosen, and takes it
     void showFrom(int camera);      // from a camera of the scene
+    std::shared_ptr<const PreparedScene> takePreparedScene(glm::ivec2 window);  // null: none is ready
     void takeLoadedScene(glm::ivec2 window);
-    void show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec2 window);
+    void show(std::shared_ptr<const PreparedScene> prepared, const ViewDefaults& look, glm::ivec2 window);
+    void startView();  // from the camera of the look
 
     ViewerHost host_;
     Scenes scenes_;
     SkyPictures skies_;
-    LoadedSky sky_;        // Choices::skyPicture, once it is loaded
-    std::string skyPath_;  // of sky_
-    std::shared_ptr<const Scene> scene_;
-    std::optional<NearPlane> nearPlane_;     // of scene_
-    std::vector<unsigned char> bakedLight_;  // see LoadedScene, and the next
-    SceneFeatures features_;
-    ViewDefaults defaults_;
-    std::shared_ptr<const Obstacles> obstacles_;  // of scene_
+    LoadedSky sky_;                                  // Choices::skyPicture, once it is loaded
+    std::string skyPath_;                            // of sky_
+    std::shared_ptr<const PreparedScene> prepared_;  // the scene that is shown
+    std::shared_ptr<const Scene> scene_;             // of prepared_
+    ViewDefaults defaults_;                          // of prepared_, with the camera that the user chose
     std::optional<OrbitView> view_;
     int camera_ = 0;       // of the scene, that the user chose last
     double aspect_ = 1.0;  // aspect ratio of the last picture
@@ -194,14 +206,14 @@ class Viewer {
     std::optional<float> headroom_;  // as the device told last
     int recordS_;                    // seconds to record, once a scene is shown
     std::optional<Recording> recording_;
-    double animationS_ = 0.0;                    // playing time so far, of all scenes together
-    std::optional<Wanted> good_;                 // the last frame that could be rendered
-    std::vector<unsigned char> goodBakedLight_;  // of its scene
-    ViewDefaults goodDefaults_;                  // the look of that frame
-    std::optional<Wanted> failed_;               // a frame that could not be rendered and is not tried again
-    Exposure exposure_;                          // used if the look has none
-    std::size_t unlinked_ = 0;                   // programs that the next frame of the scene waits for
-    std::string message_;                        // shown in the panel
+    double animationS_ = 0.0;                            // playing time so far, of all scenes together
+    std::optional<Wanted> good_;                         // the last frame that could be rendered
+    std::shared_ptr<const PreparedScene> goodPrepared_;  // its scene
+    ViewDefaults goodDefaults_;                          // the look of that frame
+    std::optional<Wanted> failed_;  // a frame that could not be rendered and is not tried again
+    Exposure exposure_;             // used if the look has none
+    std::size_t unlinked_ = 0;      // programs that the next frame of the scene waits for
+    std::string message_;           // shown in the panel
 
     std::unique_ptr<SelfTest> selfTest_;        // while it runs; holds GL objects
     std::optional<SelfTestResult> testResult_;  // empty until the self-test is complete
@@ -221,6 +233,8 @@ class Viewer {
     double frameMs_ = 0.0;
     std::optional<std::array<double, stepCount>> stepMs_;
     double presentMs_ = 0.0;  // of the last frame whose steps were timed
+
+    std::future<std::shared_ptr<const PreparedScene>> preparing_;  // its thread uses host_
 };
 
 }  // namespace vct::app

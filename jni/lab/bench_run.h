@@ -98,6 +98,8 @@ class BenchRun {
     std::size_t count() const { return runs_.size() * static_cast<std::size_t>(input_.request.repeat); }
     Settings settingsFor(const BenchConfig& config) const;
     bool linkNext();  // links one program of the run; false: all are linked
+    // Uses one program of the run for the first time, in a small frame; false: all were used.
+    bool useNext();
     void beginRun();
     void frame();
     void endMode();
@@ -114,6 +116,9 @@ class BenchRun {
     std::size_t mode_ = 0;
     int frame_ = 0;  // number of the current frame in its mode
     std::optional<Renderer> renderer_;
+    std::optional<Renderer> small_;                    // of useNext()
+    std::size_t smallFrames_ = 0;                      // that it has rendered
+    std::size_t usedRuns_ = 0;                         // runs whose programs were all used
     TimingsReport timings_;                            // timings of the current run
     nlohmann::ordered_json counters_;                  // the GPU's counters by mode, of the current run
     std::optional<Output> lastTimed_;                  // mode of the last frame, if it was timed

@@ -176,9 +176,9 @@ void shuffleTriangles(Scene& scene, unsigned seed) {
     std::mt19937 random(seed);
     shuffle(scene.instances, random);
     for (Mesh& mesh : scene.meshes) {
-        using Triangle = std::array<std::uint32_t, 3>;
-        std::vector<Triangle> triangles(mesh.indices.size() / 3);
-        const std::size_t bytes = triangles.size() * sizeof(Triangle);
+        using Corners = std::array<std::uint32_t, 3>;
+        std::vector<Corners> triangles(mesh.indices.size() / 3);
+        const std::size_t bytes = triangles.size() * sizeof(Corners);
         std::memcpy(triangles.data(), mesh.indices.data(), bytes);
         shuffle(triangles, random);
         std::memcpy(mesh.indices.data(), triangles.data(), bytes);

@@ -7,6 +7,7 @@
 
 #include "stand_in/stand_in.h"
 #include "support/gl_spy.h"
+#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
@@ -18,6 +19,7 @@ struct Frames {
     int links = 0;
     int maxLinks() const { return largest(links_); }
     int maxFirstUses() const { return largest(firstUses_); }
+    std::size_t programs() const { return used_.size(); }  // that were used
 
   private:
     static int largest(const std::map<int, int>& counts) {
@@ -60,6 +62,32 @@ TEST(Start, NoFrameLinksOrFirstUsesTwoPrograms) {
     android.then([&] {
         EXPECT_LE(frames->maxLinks(), 1);
         EXPECT_GT(frames->links, linksOfTheTest);
+        frames.reset();
+    });
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(Start, ABenchmarkUsesItsProgramsBeforeItMeasures) {
+    const TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench scene=cornell.glb preset=mobile grid=64 size=40x40 repeat=1";
+    android.start(96, 64);
+    std::unique_ptr<Frames> frames;
+    android.frames(1);
+    android.then([&] { frames = std::make_unique<Frames>(android); });
+    android.framesUntilLogged("bench: 1 of");
+    std::size_t programs = 0;
+    android.then([&] {
+        EXPECT_LE(frames->maxFirstUses(), 2) << "one of them shows the frame";
+        programs = frames->programs();
+        EXPECT_GT(programs, 30U);
+    });
+    android.framesUntilLogged("measured: ");
+    android.then([&] {
+        EXPECT_EQ(frames->programs(), programs);
         frames.reset();
     });
     android.run();

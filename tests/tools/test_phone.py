@@ -166,7 +166,7 @@ def test_push_copies_scenes_and_refuses_other_files(phone, tmp_path):
     assert done.returncode == 0, done.stderr
     assert (phone.folder / "sdcard/Android/data/vct.app/files/mine.glb").read_bytes() == b"glTF"
     failed(phone.run("push", str(pathlib.Path("nowhere.glb"))), "no file 'nowhere.glb'")
-    failed(phone.run("push", str(phone.apk)), "neither .glb nor .gltf")
+    failed(phone.run("push", str(phone.apk)), "neither .glb nor .gltf nor .hdr")
 
 
 def test_a_wrong_command_line_prints_the_usage(phone):
@@ -311,6 +311,17 @@ def test_push_brings_the_files_that_a_scene_names(phone, tmp_path):
     assert (files / "my data/mine.bin").read_bytes() == b"bytes"
     scene.write_text(json.dumps({"buffers": [{"uri": "../secret.bin"}]}))
     failed(phone.run("push", str(scene)), "outside of its folder")
+
+
+def test_push_brings_the_sky_and_the_light_beside_a_scene(phone, tmp_path):
+    phone.set("installed", "")
+    for name in ("mine.glb", "mine.hdr", "mine.vctlight", "other.hdr"):
+        (tmp_path / name).write_bytes(name.encode())
+    files = phone.folder / "sdcard/Android/data/vct.app/files"
+    assert phone.run("push", str(tmp_path / "mine.glb")).returncode == 0
+    assert {path.name for path in files.iterdir()} == {"mine.glb", "mine.hdr", "mine.vctlight"}
+    assert phone.run("push", str(tmp_path / "other.hdr")).returncode == 0
+    assert (files / "other.hdr").read_bytes() == b"other.hdr"
 
 
 def test_counters_of_the_gpu_have_rows():
