@@ -375,7 +375,7 @@ void Viewer::show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec
     nearPlane_.emplace(*scene_);
     bakedLight_ = loaded.bakedLight;
     features_ = featuresOf(*scene_);
-    obstacles_ = std::make_shared<const Obstacles>(*scene_);
+    obstacles_ = std::make_shared<const TriangleTree>(*scene_, TriangleTree::Contents::obstacles);
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
     if (look.cascades) choices_.cascades = look.cascades;

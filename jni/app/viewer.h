@@ -183,7 +183,7 @@ class Viewer {
     std::vector<unsigned char> bakedLight_;  // see LoadedScene, and the next
     SceneFeatures features_;
     ViewDefaults defaults_;
-    std::shared_ptr<const Obstacles> obstacles_;  // of scene_
+    std::shared_ptr<const TriangleTree> obstacles_;  // of scene_
     std::optional<OrbitView> view_;
     int camera_ = 0;       // of the scene, that the user chose last
     double aspect_ = 1.0;  // aspect ratio of the last picture
