@@ -47,6 +47,7 @@ for tool in aapt2 zipalign apksigner keytool python3 git; do
         missing "$tool is not installed: set ANDROID_HOME to Android's SDK, or on Debian: apt install aapt zipalign \
 apksigner android-framework-res default-jdk-headless python3 git"
 done
+python3 -c 'import elftools' 2>/dev/null || missing "pyelftools is not installed: on Debian, apt install python3-pyelftools"
 [[ -f /usr/share/android-framework-res/framework-res.apk ]] || compgen -G "$sdk/platforms/android-*/android.jar" >/dev/null ||
     missing "no framework to link the manifest against: on Debian, apt install android-framework-res; or install a platform of the SDK"
 

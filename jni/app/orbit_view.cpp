@@ -23,7 +23,7 @@ constexpr int levelDirections = 16;
 }  // namespace
 
 OrbitView::OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect,
-                     std::shared_ptr<const Obstacles> obstacles)
+                     std::shared_ptr<const TriangleTree> obstacles)
     : centre_(0.5 * (scene.boundsWorld.min + scene.boundsWorld.max)),
       size_(std::max(glm::length(scene.boundsWorld.max - scene.boundsWorld.min), 1e-9)),
       obstacles_(std::move(obstacles)) {
@@ -68,7 +68,7 @@ void OrbitView::begin(const glm::vec2& position, glm::ivec2 viewport) {
     const double tanHalf = std::tan(0.5 * camera(size.x / size.y).verticalFovRad);
     const glm::dvec3 direction = glm::dmat3(now_.worldFromCamera) * glm::dvec3(at * tanHalf, -1.0);
     const auto hit = obstacles_->first(now_.worldFromCamera[3], direction, maxDistance * size_);
-    if (hit) touchedDepth_ = hit->distance;
+    if (hit.distance > 0.0) touchedDepth_ = hit.distance;
 }
 
 bool OrbitView::isAmongObstacles() const {
@@ -77,7 +77,7 @@ bool OrbitView::isAmongObstacles() const {
     for (int i = 0; i < levelDirections; ++i) {
         const double angle = 2.0 * pi * i / levelDirections;
         const glm::dvec3 level(std::sin(angle), 0.0, std::cos(angle));
-        ends += obstacles_->first(now_.worldFromCamera[3], level, size_) ? 1 : 0;
+        ends += obstacles_->first(now_.worldFromCamera[3], level, size_).distance > 0.0;
     }
     return 2 * ends >= levelDirections;
 }
@@ -128,13 +128,13 @@ glm::dvec3 OrbitView::freePart(const glm::dvec3& eye, glm::dvec3 step) const {
         if (length == 0.0) break;
         const glm::dvec3 direction = step / length;
         const auto hit = obstacles_->first(eye + moved, direction, length + clearance / minSine);
-        if (!hit) return moved + step;
-        const double sine = std::max(-glm::dot(hit->normal, direction), minSine);
-        const double free = std::max(hit->distance - clearance / sine, 0.0);
+        if (hit.distance == 0.0) return moved + step;
+        const double sine = std::max(-glm::dot(hit.normal, direction), minSine);
+        const double free = std::max(hit.distance - clearance / sine, 0.0);
         if (free >= length) return moved + step;
         moved += free * direction;
         step -= free * direction;
-        step -= glm::dot(step, hit->normal) * hit->normal;
+        step -= glm::dot(step, hit.normal) * hit.normal;
     }
     return moved;
 }

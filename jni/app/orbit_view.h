@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/touch.h"
-#include "scene/obstacles.h"
 #include "scene/scene.h"
+#include "scene/triangle_tree.h"
 
 namespace vct::app {
 
@@ -16,7 +16,7 @@ class OrbitView {
     // scene for a picture of `aspect` (width over height). Gestures do not pass the obstacles, if there are
     // any.
     OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect,
-              std::shared_ptr<const Obstacles> obstacles = nullptr);
+              std::shared_ptr<const TriangleTree> obstacles = nullptr);
 
     // Follows the scene's animated camera, until a gesture moves the view. A double tap makes it follow
     // again.
@@ -53,7 +53,7 @@ class OrbitView {
     double touchedDepth_;              // metres along the view axis to the surface that two fingers hold
     bool turnsAroundEye_ = false;      // during this gesture
     bool moved_ = false;               // a gesture has moved the view
-    std::shared_ptr<const Obstacles> obstacles_;
+    std::shared_ptr<const TriangleTree> obstacles_;
 };
 
 }  // namespace vct::app

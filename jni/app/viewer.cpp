@@ -25,7 +25,7 @@ std::shared_ptr<const PreparedScene> prepared(LoadedScene loaded, double aspect,
     }
     result.features = featuresOf(scene);
     result.nearPlane = std::make_unique<const NearPlane>(scene);
-    result.obstacles = std::make_shared<const Obstacles>(scene);
+    result.obstacles = std::make_shared<const TriangleTree>(scene, TriangleTree::Contents::obstacles);
     result.loaded = std::move(loaded);
     return std::make_shared<const PreparedScene>(std::move(result));
 }

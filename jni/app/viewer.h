@@ -48,7 +48,7 @@ struct PreparedScene {
     std::optional<Camera> framed;  // a view of the whole scene; empty if the scene or the look has a camera
     SceneFeatures features;
     std::unique_ptr<const NearPlane> nearPlane;
-    std::shared_ptr<const Obstacles> obstacles;
+    std::shared_ptr<const TriangleTree> obstacles;
 };
 
 // Services of the platform that the viewer runs on.

@@ -50,17 +50,16 @@ std::string emptyPictureWarning(const Image& image, const Scene& scene, const Ca
                                 const Settings& settings) {
     if (image.pixels.empty() || !isEven(image)) return "";
     const double aspect = aspectOf(settings.size), tanHalf = std::tan(0.5 * camera.verticalFovRad);
-    std::vector<FirstSurfaces> views{{glm::dvec3(camera.worldFromCamera[3]),
-                                      glm::dmat3(camera.worldFromCamera), tanHalf * aspect, tanHalf,
-                                      std::clamp(std::max(settings.size.x, settings.size.y), 64, 512)}};
-    views.front().findsBacks = true;
-    drawFirstSurfaces(scene, views);
-    const std::vector<FirstSurfaces::Sample>& samples = views.front().samples;
-    const auto count = [&](double FirstSurfaces::Sample::* depth) {
+    const std::vector<FirstSurface> samples =
+        FirstSurfaces(TriangleTree(scene), glm::dvec3(camera.worldFromCamera[3]),
+                      glm::dmat3(camera.worldFromCamera), tanHalf * aspect, tanHalf,
+                      std::clamp(std::max(settings.size.x, settings.size.y), 64, 512))
+            .samples;
+    const auto count = [&](double FirstSurface::* distance) {
         return std::count_if(samples.begin(), samples.end(),
-                             [&](const FirstSurfaces::Sample& sample) { return sample.*depth > 0.0; });
+                             [&](const FirstSurface& sample) { return sample.*distance > 0.0; });
     };
-    const std::ptrdiff_t seen = count(&FirstSurfaces::Sample::depth);
+    const std::ptrdiff_t seen = count(&FirstSurface::distance);
     const bool black = image.pixels.front() == glm::vec3(0.0F);
     if (!black && seen == static_cast<std::ptrdiff_t>(samples.size())) return "";
     if (black && seen > 0) {
@@ -78,7 +77,7 @@ std::string emptyPictureWarning(const Image& image, const Scene& scene, const Ca
     const std::string remedy = isAutomatic ? "choose a view with --camera"
                                            : "a view of the scene is --camera " +
                                                  cameraOption(frameScene(scene, aspect), scene.boundsWorld);
-    if (seen == 0 && count(&FirstSurfaces::Sample::backDepth) > 0)
+    if (seen == 0 && count(&FirstSurface::backDistance) > 0)
         return "warning: the picture is empty, because only the backs of single-sided surfaces are in front "
                "of "
                "the camera, and these are invisible; " +

@@ -4,15 +4,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
 #include "core/error.h"
-#include "core/memory_grant.h"
-#include "core/memory_group.h"
 #include "core/number_text.h"
 #include "core/one_line.h"
 
@@ -25,6 +27,18 @@ constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
 // Memory for the driver and its shader compiler besides the textures. They end the process if an allocation
 // fails.
 constexpr std::size_t driverReserve = std::size_t{384} << 20;
+
+// The number of a line "KEY: NUMBER kB", in bytes; empty if the file or the line is missing.
+std::optional<std::size_t> bytesOf(const std::string& key, const std::string& file) {
+    std::ifstream lines(file);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string found;
+        std::size_t kilobytes = 0;
+        if (words >> found >> kilobytes && found == key + ":") return kilobytes * 1024;
+    }
+    return {};
+}
 
 // Address space left below the limit of `ulimit -v`.
 std::size_t freeAddressSpace() {
@@ -51,9 +65,8 @@ MemoryLimit tightestLimit() {
         {bytesOf("MemAvailable", "/proc/meminfo").value_or(unknown), "the main memory", "free memory"},
 #endif
         {freeAddressSpace(), "the address space that `ulimit -v` allows", "raise the limit of `ulimit -v`"},
-        {freeGroupMemory("/proc/self/cgroup", "/sys/fs/cgroup"),
-         "the memory that the control group (of a container, for example) allows",
-         "raise the limit of the group"}};
+        {freeContainerMemory("/sys/fs/cgroup"), "the memory that the container allows",
+         "raise the container's limit"}};
     return *std::min_element(std::begin(limits), std::end(limits),
                              [](const MemoryLimit& a, const MemoryLimit& b) { return a.left < b.left; });
 }
@@ -71,6 +84,32 @@ std::string leftOf(const MemoryLimit& limit) {
 }
 
 }  // namespace
+
+std::size_t memoryGrantLeft(const std::string& meminfo, const std::string& status) {
+    const std::optional<std::size_t> total = bytesOf("MemTotal", meminfo);
+    if (!total) return unknown;
+    const std::size_t used = bytesOf("VmRSS", status).value_or(0) + bytesOf("VmSwap", status).value_or(0);
+    return *total / 2 - std::min(*total / 2, used);
+}
+
+std::size_t freeContainerMemory(const std::string& root) {
+    // The files differ between the versions of control groups.
+    for (const auto& [limitFile, usageFile, droppableKey] :
+         {std::array{"/memory.max", "/memory.current", "inactive_file"},
+          std::array{"/memory/memory.limit_in_bytes", "/memory/memory.usage_in_bytes",
+                     "total_inactive_file"}}) {
+        std::size_t limit = 0, usage = 0;
+        // Without a limit the file is absent or holds the word "max".
+        if (!(std::ifstream(root + limitFile) >> limit)) continue;
+        std::ifstream(root + usageFile) >> usage;
+        std::ifstream stat(std::filesystem::path(root + limitFile).replace_filename("memory.stat"));
+        std::string key;
+        for (std::size_t value = 0; stat >> key >> value;)
+            if (key == droppableKey) usage -= std::min(usage, value);
+        return limit - std::min(limit, usage);
+    }
+    return unknown;
+}
 
 std::size_t availableMemory() {
     const std::size_t available = tightestLimit().left;

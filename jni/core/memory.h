@@ -27,4 +27,19 @@ void requireMemory(std::size_t bytes, const std::string& what);
 // advice in the message besides memoryRemedy().
 void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy);
 
+// Returns the bytes that an app of Android can still take: half of the device's memory, less what it holds
+// already; the largest possible number if the files do not tell. `meminfo`: /proc/meminfo; `status`:
+// /proc/self/status.
+//
+// Android tells no limit of native memory (getMemoryClass() is the limit of Java's heap). What is free is
+// none either: Android keeps the apps in memory that the user has left, and its low-memory killer (lmkd) ends
+// them when the app on the screen needs their memory, and that app last. Half of the memory remains for the
+// kernel, the system's services, the launcher and the keyboard, which it does not end.
+std::size_t memoryGrantLeft(const std::string& meminfo, const std::string& status);
+
+// Returns the bytes that are left in this process's container; the largest possible number if it has no
+// limit. Cached files that the kernel would drop count as left. `root`: the folder of control groups
+// (/sys/fs/cgroup), where a container sees its own group.
+std::size_t freeContainerMemory(const std::string& root);
+
 }  // namespace vct

@@ -39,7 +39,7 @@ constexpr double muchMore = 1.5;     // another side must show so many times the
 constexpr double fromBelow = 0.67;   // weight of views from below, because objects rarely stand on glass
 constexpr double unlitWeight = 0.1;  // weight of surfaces that no light of the scene reaches
 // A view from outside with a smaller share of lit surface than this is dark.
-constexpr double darkShare = 0.2;
+constexpr double darkShare = 0.18;
 
 // A closed room with a smaller share of lit surface than this is dark; samples may seem lit by mistake.
 constexpr double minLitInside = 0.05;
@@ -122,8 +122,8 @@ void includeSubject(const Scene& scene, const Subject& subject, std::vector<Reac
 }
 
 // Views of the whole subject from outside; the first one is the default.
-std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, const Subject& subject, double fovDeg,
-                                            double aspect) {
+std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, const TriangleTree& tree,
+                                            const Subject& subject, double fovDeg, double aspect) {
     std::vector<Reach> reaches;
     const glm::dvec3 usual = glm::normalize(glm::dvec3(0.3, 0.5, 1.0));
     const double tanHalf = (1.0 - margin) * std::tan(0.5 * glm::radians(fovDeg));
@@ -141,24 +141,22 @@ std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, const Subject& s
         glm::dvec3 eye = reach.eye();
         const double least = reach.highest + 1e-3 * extentOf(subject.boundsWorld);
         eye += std::max(least - glm::dot(eye, reach.axes[2]), 0.0) * reach.axes[2];
-        views.emplace_back(centre + eye, reach.axes, tanHalf * aspect, tanHalf, outsideResolution);
+        views.emplace_back(tree, centre + eye, reach.axes, tanHalf * aspect, tanHalf, outsideResolution);
     }
-    drawFirstSurfaces(scene, views);
     return views;
 }
 
 // True if the scene's light reaches the surface of this sample. In a scene without a light of its own,
 // vct's sun and sky reach all surfaces that are seen from outside.
 bool isLit(const LitSurfaces& light, const FirstSurfaces& view, std::size_t sample) {
-    return !light.exists() || light.reaches(view.eye + view.samples[sample].depth * view.direction(sample),
-                                            view.samples[sample]);
+    return !light.exists() || light.reaches(view.position(sample), view.samples[sample]);
 }
 
 // Share of the visible surfaces that light reaches.
 double litShare(const FirstSurfaces& view, const LitSurfaces& light) {
     int met = 0, lit = 0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
-        if (view.samples[i].depth == 0.0) continue;
+        if (view.samples[i].distance == 0.0) continue;
         ++met;
         lit += isLit(light, view, i);
     }
@@ -170,9 +168,9 @@ double litShare(const FirstSurfaces& view, const LitSurfaces& light) {
 double areaSeen(const FirstSurfaces& view, const LitSurfaces& light) {
     double area = 0.0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
-        const FirstSurfaces::Sample& sample = view.samples[i];
-        if (sample.depth == 0.0) continue;
-        const glm::dvec3 d = sample.depth * view.direction(i);
+        const FirstSurface& sample = view.samples[i];
+        if (sample.distance == 0.0) continue;
+        const glm::dvec3 d = sample.distance * view.direction(i);
         const double cosine = -glm::dot(sample.normal, d) / glm::length(d);
         area += glm::dot(d, d) * view.solidAngle(i) / std::max(cosine, 0.5) *
                 (isLit(light, view, i) ? 1.0 : unlitWeight);
@@ -207,13 +205,11 @@ Enclosure enclosureOf(const Around& around) {
     Enclosure enclosure;
     for (const FirstSurfaces& view : around) {
         for (std::size_t i = 0; i < view.samples.size(); ++i) {
-            const double depth = view.samples[i].depth, backDepth = view.samples[i].backDepth;
+            const FirstSurface& sample = view.samples[i];
             const double share = view.solidAngle(i) / (2.0 * fullTurn);
-            // The back of an object's underside and the floor that it stands on coincide.
-            if (backDepth > 0.0 && (depth == 0.0 || backDepth < (1.0 + 1e-6) * depth))
-                enclosure.solid += share;
-            if (depth == 0.0) continue;
-            const double distance = depth * glm::length(view.direction(i));
+            if (sample.backDistance > 0.0) enclosure.solid += share;
+            if (sample.distance == 0.0) continue;
+            const double distance = sample.distance * glm::length(view.direction(i));
             enclosure.closed += share;
             enclosure.volume += view.solidAngle(i) * distance * distance * distance / 3.0;
         }
@@ -226,11 +222,10 @@ Enclosure enclosureOf(const Around& around) {
 bool hidesItsInside(const FirstSurfaces& outside, const glm::dvec3& inside) {
     int met = 0, hiding = 0;
     for (std::size_t i = 0; i < outside.samples.size(); ++i) {
-        const FirstSurfaces::Sample& sample = outside.samples[i];
-        if (sample.depth == 0.0) continue;
+        const FirstSurface& sample = outside.samples[i];
+        if (sample.distance == 0.0) continue;
         ++met;
-        const glm::dvec3 point = outside.eye + sample.depth * outside.direction(i);
-        if (glm::dot(sample.normal, inside - point) < 0.0) ++hiding;
+        if (glm::dot(sample.normal, inside - outside.position(i)) < 0.0) ++hiding;
     }
     return 2 * hiding > met;
 }
@@ -238,24 +233,17 @@ bool hidesItsInside(const FirstSurfaces& outside, const glm::dvec3& inside) {
 std::size_t thingsSeen(const std::vector<FirstSurfaces>& views) {
     std::set<int> instances;
     for (const FirstSurfaces& view : views)
-        for (const FirstSurfaces::Sample& sample : view.samples)
+        for (const FirstSurface& sample : view.samples)
             if (sample.instance >= 0) instances.insert(sample.instance);
     return instances.size();
 }
 
-std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec3>& sharesOfBounds) {
-    std::vector<FirstSurfaces> views;
-    for (const glm::dvec3& share : sharesOfBounds)
-        for (const FirstSurfaces& view :
-             viewsAround(glm::mix(scene.boundsWorld.min, scene.boundsWorld.max, share), aroundResolution))
-            views.push_back(view);
-    for (FirstSurfaces& view : views)
-        view.findsBacks = true;
-    drawFirstSurfaces(scene, views);
+std::vector<Around> placesAround(const Scene& scene, const TriangleTree& tree,
+                                 const std::vector<glm::dvec3>& sharesOfBounds) {
     std::vector<Around> places;
-    for (std::size_t i = 0; i < views.size(); i += 6)
-        places.emplace_back(views.begin() + static_cast<std::ptrdiff_t>(i),
-                            views.begin() + static_cast<std::ptrdiff_t>(i) + 6);
+    for (const glm::dvec3& share : sharesOfBounds)
+        places.push_back(viewsAround(tree, glm::mix(scene.boundsWorld.min, scene.boundsWorld.max, share),
+                                     aroundResolution));
     return places;
 }
 
@@ -266,9 +254,10 @@ const std::vector<glm::dvec3> roomPoints{
 
 // True if the scene is a room: it is closed in at least this share of all directions, and either its surfaces
 // seen from outside do not hide the inside, or more objects are visible from inside than from outside.
-bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double minClosed) {
+bool isRoom(const Scene& scene, const TriangleTree& tree, const std::vector<FirstSurfaces>& outside,
+            double minClosed) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
-    const std::vector<Around> places = placesAround(scene, roomPoints);
+    const std::vector<Around> places = placesAround(scene, tree, roomPoints);
     const Around* widest = nullptr;
     double most = roomShare * size.x * size.y * size.z;
     for (const Around& around : places) {
@@ -284,12 +273,12 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
 }
 
 // True if the scene is a room with windows or a door whose walls hide its inside.
-bool isWindowedRoom(const Scene& scene, const FirstSurfaces& outside) {
+bool isWindowedRoom(const Scene& scene, const TriangleTree& tree, const FirstSurfaces& outside) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
     if (std::min({size.x, size.y, size.z}) < minRoomSize) return false;
     double closed = 0.0, most = 0.0;
     int free = 0;
-    for (const Around& around : placesAround(scene, roomPoints)) {
+    for (const Around& around : placesAround(scene, tree, roomPoints)) {
         const Enclosure enclosure = enclosureOf(around);
         if (enclosure.isInsideAnObject()) continue;
         closed += enclosure.closed;
@@ -307,21 +296,23 @@ struct Prospect {
     double met = 0.0, lit = 0.0;  // solid angle of all surfaces, and of those that light reaches
 };
 
-Prospect prospectOf(const Around& around, const glm::dmat3& axes, const glm::dvec2& tanHalf,
-                    const LitSurfaces& light) {
+// `lit` has a value per sample of all views.
+Prospect prospectOf(const Around& around, const std::vector<bool>& lit, const glm::dmat3& axes,
+                    const glm::dvec2& tanHalf) {
     const glm::dmat3 viewFromWorld = glm::transpose(axes);
     Prospect prospect;
+    std::size_t number = 0;
     for (const FirstSurfaces& view : around) {
         for (std::size_t i = 0; i < view.samples.size(); ++i) {
+            const bool sampleIsLit = lit[number++];
             const glm::dvec3 d = view.direction(i), p = viewFromWorld * d;
             if (p.z >= 0.0 || std::abs(p.x) > -p.z * tanHalf.x || std::abs(p.y) > -p.z * tanHalf.y) continue;
-            if (view.samples[i].depth == 0.0) continue;
+            if (view.samples[i].distance == 0.0) continue;
             const double solidAngle = view.solidAngle(i);
-            const bool lit = isLit(light, view, i);
             prospect.met += solidAngle;
-            if (lit) prospect.lit += solidAngle;
-            prospect.volume += std::pow(view.samples[i].depth * glm::length(d), 3.0) * solidAngle *
-                               (lit ? 1.0 : unlitWeight);
+            if (sampleIsLit) prospect.lit += solidAngle;
+            prospect.volume += std::pow(view.samples[i].distance * glm::length(d), 3.0) * solidAngle *
+                               (sampleIsLit ? 1.0 : unlitWeight);
         }
     }
     return prospect;
@@ -329,8 +320,8 @@ Prospect prospectOf(const Around& around, const glm::dmat3& axes, const glm::dve
 
 // The view of the most volume, from a place that is closed in at least this share of all directions and not
 // inside an object.
-std::optional<View> viewInside(const Scene& scene, double aspect, const LitSurfaces& light,
-                               double minClosed) {
+std::optional<View> viewInside(const Scene& scene, const TriangleTree& tree, double aspect,
+                               const LitSurfaces& light, double minClosed) {
     const double fovDeg = fovFor(insideTanHalf, aspect);
     const double tanHalf = std::tan(0.5 * glm::radians(fovDeg));
     std::vector<glm::dvec3> shares;
@@ -339,12 +330,16 @@ std::optional<View> viewInside(const Scene& scene, double aspect, const LitSurfa
             shares.emplace_back(x, 0.55, z);
     std::optional<View> best;
     double most = 0.0;
-    for (const Around& around : placesAround(scene, shares)) {
+    for (const Around& around : placesAround(scene, tree, shares)) {
         const Enclosure enclosure = enclosureOf(around);
         if (enclosure.isInsideAnObject() || enclosure.closed < minClosed) continue;
+        std::vector<bool> lit;
+        for (const FirstSurfaces& view : around)
+            for (std::size_t i = 0; i < view.samples.size(); ++i)
+                lit.push_back(isLit(light, view, i));
         for (int turn = 0; turn < 16; ++turn) {
             const glm::dmat3 axes = axesFrom(towards(turn * fullTurn / 16.0, 0.1));  // slightly downwards
-            const Prospect prospect = prospectOf(around, axes, {tanHalf * aspect, tanHalf}, light);
+            const Prospect prospect = prospectOf(around, lit, axes, {tanHalf * aspect, tanHalf});
             if (prospect.volume <= most) continue;
             most = prospect.volume;
             const glm::dvec3 eye = around.front().eye;
@@ -360,15 +355,16 @@ std::optional<View> viewInside(const Scene& scene, double aspect, const LitSurfa
 Camera frameScene(const Scene& scene, double aspect) {
     const double fovDeg = fovFor(outsideTanHalf, aspect);
     const Subject subject = subjectOf(scene);
-    const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, subject, fovDeg, aspect);
-    const LitSurfaces light(scene, isLitByEmitters(scene));
+    const TriangleTree tree(scene);
+    const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, tree, subject, fovDeg, aspect);
+    const LitSurfaces light(scene, tree, isLitByEmitters(scene));
     const FirstSurfaces& best = bestFromOutside(outside, light);
     // A lamp behind walls with a window does not light their outside.
     const double lit = litShare(best, light);
     const bool closed =
-        isRoom(scene, outside, closedShare) || (!light.exists() && isWindowedRoom(scene, best));
+        isRoom(scene, tree, outside, closedShare) || (!light.exists() && isWindowedRoom(scene, tree, best));
     if (closed || lit < darkShare) {
-        const std::optional<View> inside = viewInside(scene, aspect, light, closed ? 0.0 : openShare);
+        const std::optional<View> inside = viewInside(scene, tree, aspect, light, closed ? 0.0 : openShare);
         if (inside && inside->litShare > (closed ? minLitInside : lit))
             return lookAtRounded(inside->eye, inside->target, inside->fovDeg, extentOf(scene.boundsWorld));
     }
@@ -379,7 +375,9 @@ Camera frameScene(const Scene& scene, double aspect) {
 }
 
 bool isOpenRoom(const Scene& scene) {
-    return isRoom(scene, viewsFromOutside(scene, subjectOf(scene), fovFor(outsideTanHalf, 1.0), 1.0),
+    const TriangleTree tree(scene);
+    return isRoom(scene, tree,
+                  viewsFromOutside(scene, tree, subjectOf(scene), fovFor(outsideTanHalf, 1.0), 1.0),
                   openShare);
 }
 

@@ -36,19 +36,14 @@ struct Space {
     bool isRoom() const { return isSealed() && solid < 0.5; }
 };
 
-Space spaceAround(const Scene& scene, const glm::dvec3& point) {
-    std::vector<FirstSurfaces> views = viewsAround(point, roomResolution);
-    for (FirstSurfaces& view : views)
-        view.findsBacks = true;
-    drawFirstSurfaces(scene, views);
+Space spaceAround(const TriangleTree& tree, const glm::dvec3& point) {
     Space space;
     double steepest = 0.0;
-    for (const FirstSurfaces& view : views) {
+    for (const FirstSurfaces& view : viewsAround(tree, point, roomResolution)) {
         for (std::size_t i = 0; i < view.samples.size(); ++i) {
-            const FirstSurfaces::Sample& sample = view.samples[i];
-            const bool back = sample.backDepth > 0.0 &&
-                              (sample.depth == 0.0 || sample.backDepth < (1.0 + 1e-6) * sample.depth);
-            const double depth = back ? sample.backDepth : sample.depth;
+            const FirstSurface& sample = view.samples[i];
+            const bool back = sample.backDistance > 0.0;
+            const double depth = back ? sample.backDistance : sample.distance;
             if (depth == 0.0) continue;
             const double share = view.solidAngle(i) / (4.0 * pi);
             const glm::dvec3 way = depth * view.direction(i);
@@ -69,13 +64,11 @@ Space spaceAround(const Scene& scene, const glm::dvec3& point) {
 
 // A point in the closed room that a camera is in, or whose inside it shows through the back of a wall. Such a
 // back is invisible, but stops light.
-std::optional<glm::dvec3> pointInRoom(const Scene& scene, const Camera& camera) {
-    const glm::dvec3 eye(camera.worldFromCamera[3]);
-    std::vector<FirstSurfaces> ahead{{eye, glm::dmat3(camera.worldFromCamera), 1e-3, 1e-3, 1}};
-    drawFirstSurfaces(scene, ahead);
-    const glm::dvec3 way = ahead.front().samples.front().depth * ahead.front().direction(0);
+std::optional<glm::dvec3> pointInRoom(const TriangleTree& tree, const Camera& camera) {
+    const glm::dvec3 eye(camera.worldFromCamera[3]), ahead(-camera.worldFromCamera[2]);
+    const glm::dvec3 way = tree.first(eye, ahead).distance * ahead;
     for (const double share : {0.0, 0.95})
-        if (spaceAround(scene, eye + share * way).isRoom()) return eye + share * way;
+        if (spaceAround(tree, eye + share * way).isRoom()) return eye + share * way;
     return {};
 }
 
@@ -117,23 +110,21 @@ float albedoOf(const Scene& scene, const Material& material) {
 std::vector<float> albedosAtBackground(const Scene& scene, const Camera& camera, double aspect) {
     constexpr int resolution = 96;
     const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
-    std::vector<FirstSurfaces> views{{glm::dvec3(camera.worldFromCamera[3]),
-                                      glm::dmat3(camera.worldFromCamera), aspect * tanHalf, tanHalf,
-                                      resolution}};
-    drawFirstSurfaces(scene, views);
+    const FirstSurfaces view(TriangleTree(scene), glm::dvec3(camera.worldFromCamera[3]),
+                             glm::dmat3(camera.worldFromCamera), aspect * tanHalf, tanHalf, resolution);
     std::vector<float> perMaterial;
     for (const Material& material : scene.materials)
         perMaterial.push_back(albedoOf(scene, material));
     std::vector<float> albedos;
     const auto instanceAt = [&](int x, int y) {
-        return views.front().samples[static_cast<std::size_t>(y) * resolution + x].instance;
+        return view.samples[static_cast<std::size_t>(y) * resolution + x].instance;
     };
     int open = 0;  // samples of the edge
     for (int i = 0; i < resolution; ++i)
         for (const int instance : {instanceAt(i, 0), instanceAt(i, resolution - 1), instanceAt(0, i),
                                    instanceAt(resolution - 1, i)})
             open += instance < 0;
-    const glm::dvec3& eye = views.front().eye;
+    const glm::dvec3& eye = view.eye;
     const bool isInside = glm::all(glm::lessThan(scene.boundsWorld.min, eye)) &&
                           glm::all(glm::lessThan(eye, scene.boundsWorld.max));
     if (open < (isInside ? minOpenEdgeInside : minOpenEdgeOutside) * 4 * resolution) return {};
@@ -188,18 +179,19 @@ DirectionalLight chooseLight(const Scene& scene) {
 
 std::optional<PunctualLight> chooseRoomLight(const Scene& scene, const Camera& camera) {
     if (!scene.lights.empty() || !scene.punctualLights.empty()) return {};
-    const std::optional<glm::dvec3> inRoom = pointInRoom(scene, camera);
+    const TriangleTree tree(scene);
+    const std::optional<glm::dvec3> inRoom = pointInRoom(tree, camera);
     if (!inRoom || isLitByEmitters(scene)) return {};
     glm::dvec3 place = *inRoom;
-    Space space = spaceAround(scene, place);
+    Space space = spaceAround(tree, place);
     const auto moveTo = [&](const glm::dvec3& point) {
-        const Space there = spaceAround(scene, point);
+        const Space there = spaceAround(tree, point);
         if (!there.isRoom()) return;  // something is there
         place = point;
         space = there;
     };
     // A window may look narrow from beside it.
-    if (!spaceAround(scene, space.middle).isSealed()) return {};
+    if (!spaceAround(tree, space.middle).isSealed()) return {};
     moveTo(space.middle);
     moveTo(place + glm::dvec3(0.0, 0.6 * space.ceiling, 0.0));
     const double radius = std::cbrt(space.volume / (4.0 / 3.0 * pi));

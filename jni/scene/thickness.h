@@ -17,8 +17,7 @@ struct LocalSize {
 };
 
 // Returns the sizes at `count` points that are spread evenly over the surface of the scene at rest. A size
-// above `longest` metres is HUGE_VAL, and so is that of a surface without a back side (a sheet). Returns
-// nothing if the scene has too many large triangles to measure.
+// above `longest` metres is HUGE_VAL, and so is that of a surface without a back side (a sheet).
 std::vector<LocalSize> localSizes(const Scene& scene, std::size_t count, double longest);
 
 }  // namespace vct

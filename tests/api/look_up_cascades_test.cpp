@@ -15,6 +15,9 @@ namespace {
 // one to about 12 m.
 class CascadesLookUp : public ::testing::Test {
   protected:
+    void expectThePicture();
+    void expectNoStepAtABorder();
+
     static constexpr int grid = 64, cascades = 3;
 
     CascadesLookUp() {
@@ -63,7 +66,7 @@ Hit hitAt(const glm::dmat4& worldFromClip, const glm::dvec3& eye, int x, int y) 
 }
 
 // A wall's edge takes the light of cones in one, and of the nearest faces in the other.
-TEST_F(CascadesLookUp, AgreesWithThePicture) {
+void CascadesLookUp::expectThePicture() {
     const glm::dmat4 worldFromClip =
         glm::inverse(clipFromWorld(camera_, hall_.loaded.boundsWorld, double{width} / height));
     Image points(2, width * height);
@@ -93,7 +96,7 @@ TEST_F(CascadesLookUp, AgreesWithThePicture) {
 
 // Points 1 mm apart, on both sides of the position from which on a cascade is not used, 1 voxel before its
 // border. Light by cones changes a little more from point to point than light of surfaces.
-TEST_F(CascadesLookUp, HasNoStepAtABorder) {
+void CascadesLookUp::expectNoStepAtABorder() {
     constexpr int pairs = 300;
     Cascades nested(cascades, grid);
     nested.follow(eyeInVolume(camera_, volume_));
@@ -130,6 +133,12 @@ TEST_F(CascadesLookUp, HasNoStepAtABorder) {
             EXPECT_LE(std::sqrt(squares / pairs), *place == 'a' ? 0.005 : 0.001)
                 << place << ", cascade " << cascade;
         }
+}
+
+// One test, because the light of the hall takes long.
+TEST_F(CascadesLookUp, AgreesWithThePictureAndHasNoStepAtABorder) {
+    expectThePicture();
+    expectNoStepAtABorder();
 }
 
 }  // namespace

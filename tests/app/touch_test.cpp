@@ -181,7 +181,8 @@ Scene solidBox() {
 }
 
 OrbitView viewWithObstacles(const Scene& scene, const Camera& camera) {
-    return {scene, camera, 1.5, std::make_shared<const Obstacles>(scene)};
+    return {scene, camera, 1.5,
+            std::make_shared<const TriangleTree>(scene, TriangleTree::Contents::obstacles)};
 }
 
 Camera cameraAt(const glm::dvec3& eye) {
@@ -262,14 +263,10 @@ TEST(OrbitView, PassesNoWall) {
 
 // The share of all directions in which the first surface shows its back: 1 inside of a wall.
 double shareOfBacks(const Scene& scene, const glm::dvec3& eye) {
-    std::vector<FirstSurfaces> views = viewsAround(eye, 4);
-    for (FirstSurfaces& view : views)
-        view.findsBacks = true;
-    drawFirstSurfaces(scene, views);
     int backs = 0, count = 0;
-    for (const FirstSurfaces& view : views)
-        for (const FirstSurfaces::Sample& sample : view.samples) {
-            backs += sample.backDepth > 0.0 && (sample.depth == 0.0 || sample.backDepth < sample.depth);
+    for (const FirstSurfaces& view : viewsAround(TriangleTree(scene), eye, 4))
+        for (const FirstSurface& sample : view.samples) {
+            backs += sample.backDistance > 0.0;
             ++count;
         }
     return static_cast<double>(backs) / count;
@@ -277,7 +274,7 @@ double shareOfBacks(const Scene& scene, const glm::dvec3& eye) {
 
 TEST(OrbitView, NoDragEndsInAWallOfTheTown) {
     const Scene town = loadGltf(VCT_SOURCE_DIR "/assets/town.glb");
-    const auto obstacles = std::make_shared<const Obstacles>(town);
+    const auto obstacles = std::make_shared<const TriangleTree>(town, TriangleTree::Contents::obstacles);
     std::mt19937 random(3);
     for (const Camera& camera : town.cameras) {
         OrbitView view(town, camera, 1.5, obstacles);

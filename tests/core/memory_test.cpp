@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/memory_grant.h"
-#include "core/memory_group.h"
+#include "core/memory.h"
 #include "support/temporary_folder.h"
 
 namespace vct::test {
@@ -12,47 +11,29 @@ namespace {
 
 constexpr std::size_t noLimit = std::numeric_limits<std::size_t>::max();
 
-// A folder of control groups.
-struct Groups {
-    TemporaryFolder folder;
-
-    void write(const std::string& name, const std::string& text) const {
-        const std::filesystem::path path(folder.file(name));
-        std::filesystem::create_directories(path.parent_path());
-        writeBytes(path.string(), text);
+TEST(MemoryOfAContainer, IsWhatItsLimitLeaves) {
+    struct Names {
+        const char *folder, *limit, *usage, *droppable;
+    };
+    for (const Names& names :
+         {Names{"", "memory.max", "memory.current", "inactive_file"},
+          Names{"/memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"}}) {
+        const TemporaryFolder root;
+        const std::string folder = root.path() + names.folder + "/";
+        std::filesystem::create_directories(folder);
+        const auto left = [&] { return freeContainerMemory(root.path()); };
+        EXPECT_EQ(left(), noLimit);
+        writeBytes(folder + names.limit, "max\n");
+        EXPECT_EQ(left(), noLimit);
+        writeBytes(folder + names.limit, "1000\n");
+        writeBytes(folder + names.usage, "700\n");
+        EXPECT_EQ(left(), 300U);
+        writeBytes(folder + "memory.stat",
+                   std::string("anon 5\n") + names.droppable + " 200\nactive_file 9\n");
+        EXPECT_EQ(left(), 500U);
+        writeBytes(folder + names.usage, "1300\n");
+        EXPECT_EQ(left(), 0U);
     }
-    std::size_t freeMemory() const { return freeGroupMemory(folder.file("membership"), folder.path()); }
-};
-
-TEST(ControlGroups, TheTightestLimitOfAGroupAndItsParentsCounts) {
-    Groups groups;
-    EXPECT_EQ(groups.freeMemory(), noLimit);
-    groups.write("membership", "0::/outer/inner\n");
-    EXPECT_EQ(groups.freeMemory(), noLimit);
-    groups.write("outer/inner/memory.max", "max\n");
-    groups.write("outer/memory.max", "1000\n");
-    groups.write("outer/memory.current", "700\n");
-    EXPECT_EQ(groups.freeMemory(), 300U);
-    groups.write("outer/memory.stat", "anon 5\ninactive_file 200\nactive_file 9\n");
-    EXPECT_EQ(groups.freeMemory(), 500U);
-    groups.write("outer/inner/memory.max", "400\n");
-    groups.write("outer/inner/memory.current", "500\n");
-    EXPECT_EQ(groups.freeMemory(), 0U);
-}
-
-TEST(ControlGroups, OfVersion1AreReadFromTheirOwnFolder) {
-    Groups groups;
-    groups.write("membership", "5:devices:/a\n4:cpu,memory:/a/b\n0::/\n");
-    groups.write("memory/a/memory.limit_in_bytes", "1000\n");
-    groups.write("memory/a/memory.usage_in_bytes", "400\n");
-    groups.write("memory/a/memory.stat", "cache 300\ntotal_inactive_file 100\n");
-    EXPECT_EQ(groups.freeMemory(), 700U);
-    // A container may see its own group as the root only.
-    Groups inside;
-    inside.write("membership", "4:memory:/docker/0123\n");
-    inside.write("memory/memory.limit_in_bytes", "1000\n");
-    inside.write("memory/memory.usage_in_bytes", "1\n");
-    EXPECT_EQ(inside.freeMemory(), 999U);
 }
 
 TEST(MemoryOfAnApp, IsHalfOfTheDevicesLessItsOwn) {

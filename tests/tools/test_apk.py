@@ -15,6 +15,7 @@ import pytest
 from apk import check, elf, pack
 from files import ROOT
 
+PT_LOAD = 1  # a loaded segment
 APK = ROOT / "build" / "android" / "vct.apk"
 OURS = "lib/arm64-v8a/libvct.so"
 
@@ -105,7 +106,7 @@ def test_missing_and_changed_assets_fail(copy, ndk):
 def segment_offsets(data):
     """Offsets of the program headers of loaded segments."""
     start, size, count = struct.unpack_from("<Q", data, 32)[0], *struct.unpack_from("<HH", data, 54)
-    return [start + i * size for i in range(count) if struct.unpack_from("<I", data, start + i * size)[0] == elf.PT_LOAD]
+    return [start + i * size for i in range(count) if struct.unpack_from("<I", data, start + i * size)[0] == PT_LOAD]
 
 
 def test_a_segment_aligned_to_4_kib_fails(copy, ndk):
@@ -131,17 +132,17 @@ def elf_file(alignment=16384, undefined=(), text=b""):
     strings = b"\0" + b"".join(name.encode() + b"\0" for name in undefined)
     symbols = bytes(24)
     for name in undefined:
-        symbols += struct.pack("<IBBHQQ", strings.index(b"\0" + name.encode() + b"\0") + 1, 0x12, 0, elf.SHN_UNDEF, 0, 0)
+        symbols += struct.pack("<IBBHQQ", strings.index(b"\0" + name.encode() + b"\0") + 1, 0x12, 0, 0, 0, 0)
     names = b"\0.dynsym\0.dynstr\0.shstrtab\0"
-    contents = [(b"", 0, 0), (symbols, elf.SHT_DYNSYM, 2), (strings, 3, 0), (names, 3, 0)]
-    data = bytes(64) + struct.pack("<IIQQQQQQ", elf.PT_LOAD, 5, 0, 0, 0, 4096, 4096, alignment)
+    contents = [(b"", 0, 0), (symbols, 11, 2), (strings, 3, 0), (names, 3, 0)]
+    data = bytes(64) + struct.pack("<IIQQQQQQ", PT_LOAD, 5, 0, 0, 0, 4096, 4096, alignment)
     headers = b""
     for name, (content, kind, link) in zip((0, 1, 9, 17), contents, strict=True):
-        headers += struct.pack("<IIQQQQIIQQ", name, kind, 0, 0, len(data), len(content), link, 0, 1, 0)
+        headers += struct.pack("<IIQQQQIIQQ", name, kind, 0, 0, len(data), len(content), link, 0, 1, 24 if kind == 11 else 0)
         data += content
     data += text
     start = b"\x7fELF\x02\x01\x01" + bytes(9)
-    header = start + struct.pack("<HHIQQQIHHHHHH", 3, elf.MACHINES["arm64-v8a"], 1, 0, 64, len(data), 0, 64, 56, 1, 64, 4, 3)
+    header = start + struct.pack("<HHIQQQIHHHHHH", 3, 183, 1, 0, 64, len(data), 0, 64, 56, 1, 64, 4, 3)
     return header + data[64:] + headers
 
 
@@ -157,6 +158,14 @@ def test_every_library_must_be_aligned_for_pages_of_16_kib(tmp_path):
     assert not list(check.segments(apk_with(tmp_path, libvct=elf_file(), cxx=elf_file(65536))))
     text = "".join(check.segments(apk_with(tmp_path, **{"libvct": elf_file(), "libc++_shared": elf_file(4096)})))
     assert "lib/arm64-v8a/libc++_shared.so: a segment at 0x0 is aligned to 4096, not to 16384" in text and "libvct" not in text
+
+
+def test_a_damaged_library_is_an_error():
+    whole = elf_file(undefined=["abort"])
+    assert elf.read(whole).undefined == {"abort"}
+    for data in (b"", b"no library", whole[:40], whole[:-70]):
+        with pytest.raises(ValueError, match="not an ELF file, or a damaged one"):
+            elf.read(data)
 
 
 LLVM = elf_file(undefined=["dl_iterate_phdr", "abort"], text=b"\0libunwind: %s - %s\0")

@@ -50,6 +50,7 @@ class View:
 
     def __init__(self, program, display, folder, *arguments):
         self.folder, self.screen_file = folder, display[1]
+        self.settling_s = 0.4 if "phong" in arguments else 1.5  # until the light has converged
         self.environment = {**os.environ, "DISPLAY": display[0]}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.out, self.err = folder / "out.txt", folder / "err.txt"
@@ -59,7 +60,7 @@ class View:
         self.window = wait_for("a window", self._find)
         wait_for("a scene", lambda: " triangles" in self.err.read_text())
         self.xdotool("windowmove", self.window, 0, 0, "mousemove", 400, 300)
-        time.sleep(1.5)  # until the light has converged
+        time.sleep(self.settling_s)
 
     def _find(self):
         assert self.process.poll() is None, self.err.read_text()
@@ -83,7 +84,7 @@ class View:
         """Saves the view: returns the printed words, their options, and the picture."""
         lines = self.out.read_text().count("\n")
         files = set(self.folder.glob("vct-view-*.png"))
-        time.sleep(1.5)
+        time.sleep(self.settling_s)
         self.xdotool("key", "p")
         wait_for("a line", lambda: self.out.read_text().count("\n") > lines)
         wait_for("a picture", lambda: self.err.read_text().count("saved vct-view-") > len(files))

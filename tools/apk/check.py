@@ -1,7 +1,7 @@
 """Checks an APK of this project: would Android install and load it, and does it hold the files of this repository?
 
-Prints a line for each check, and ends with 1 where one fails. Needs an NDK, whose stub libraries list the symbols of Android, and
-aapt2, apksigner and zipalign of Android's SDK or of Debian.
+Prints a line for each check, and ends with 1 where one fails. Needs an NDK, whose stub libraries list the symbols of Android,
+aapt2, apksigner and zipalign of Android's SDK or of Debian, and pyelftools.
 """
 
 from __future__ import annotations
@@ -129,8 +129,8 @@ def segments(apk: Apk) -> Iterator[str]:
     """Linkers of old NDKs, and their libc++_shared.so, align for pages of 4 KiB, and then the app does not start on newer phones."""
     for info in apk.libraries:
         for segment in elf.read(apk.zip.read(info)).segments:
-            if segment.alignment % PAGE or (segment.address - segment.offset) % PAGE:
-                yield (f"{info.filename}: a segment at {segment.address:#x} is aligned to {segment.alignment}, not to {PAGE}: "
+            if segment.p_align % PAGE or (segment.p_vaddr - segment.p_offset) % PAGE:
+                yield (f"{info.filename}: a segment at {segment.p_vaddr:#x} is aligned to {segment.p_align}, not to {PAGE}: "
                        "use NDK r27 or newer")
                 break
 
@@ -164,7 +164,7 @@ def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library]) ->
         yield f"{info.filename}: {error}"
         return
     if found.machine != elf.MACHINES[abi]:
-        yield f"{info.filename} is for ELF machine {found.machine}, not {abi}"
+        yield f"{info.filename} is for {found.machine}, not {abi}"
     own = {other.filename.split("/")[2]: other for other in apk.libraries if other.filename.split("/")[1] == abi}
     exported: set[str] = set()
     for needed in found.needed:
