@@ -247,6 +247,8 @@ struct LightMap {
     mat4 mapFromVolume;  // projective: coordinates in the layer, and depth, all in [0, 1]
     // Differences of depth at the distance w = 1. x: for a length of a quarter of a texel; proportional to
     // 1/w. y: for the length of the volume's side; proportional to 1/w^2.
+    // z: near / (far - near), if the map stores distances (shared/punctual_lights.glsl), else 0. w: the
+    // error of a stored depth and of the position it is compared with, in sides of the volume.
     vec4 depth;
 };
 struct PunctualLightBlock {
