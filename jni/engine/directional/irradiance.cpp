@@ -249,10 +249,10 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
                     " ids, of which there are " + std::to_string(mostIds) + "; use a coarser grid");
     const std::uint32_t blockedBefore = blockedCapacity_;
     if (hasObjects_) {
-        // All rays of a small scene, an eighth of those of a large one, or as many as there were.
+        // All rays of a small scene, 1/32 of those of a large one, or as many as there were.
         const std::uint32_t faces = capacities_[0];
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
-        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 8, std::min(all, 1U << 18U)});
+        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 32, std::min(all, 1U << 18U)});
     }
     if (oldIds != 0 && before == capacities_ && blockedBefore == blockedCapacity_) return;
     // The buffer begins with the faces' words. A word per face for its next id or its last change follows,
