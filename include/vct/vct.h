@@ -144,7 +144,7 @@ struct SceneDescription {
     Sun sun;
     std::vector<LightDescription> lights;
     // The most lights that addLight() may bring the scene to, at most 64. Shadow maps take memory for each of
-    // them, at most 16 MB in sum. They have room for 16 point lights, or 96 spot or directional lights;
+    // them, at most 8 MB in sum. They have room for 16 point lights, or 96 spot or directional lights;
     // beyond that, the lights that give the nearest surfaces the least light cast no shadows.
     std::size_t maxLights = 0;
     // Radiance of a sky of one colour. It is absolute like the sun's illuminance: beside a sun of 100000 lux,

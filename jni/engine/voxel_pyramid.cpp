@@ -41,7 +41,8 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
         c.firstEntry = firstEntry;
         if (hasFacesOnly) continue;
         c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(list < VCT_LIST_DYNAMIC ? list : 0)));
-        firstEntry += c.capacity;
+        // The voxels of dynamic objects are read while a pose is voxelized, so both poses share the entries.
+        if (list != VCT_LIST_DYNAMIC) firstEntry += c.capacity;
     }
     return commands;
 }
@@ -49,7 +50,7 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
 std::size_t listBytes(const shared::CommandLists& commands) {
     std::size_t entries = 0;
     for (const shared::LevelCommands& c : commands.lists)
-        entries += c.capacity;
+        entries = std::max(entries, std::size_t{c.firstEntry} + c.capacity);
     return entries * sizeof(std::uint32_t);
 }
 

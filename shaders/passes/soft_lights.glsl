@@ -36,12 +36,11 @@ Beside projectTap(int i, vec3 position, vec3 normal, vec3 aside) {
     vec4 projected = map.mapFromVolume * vec4(beside + away * along, 1.0);
     vec3 inMap = projected.xyz / projected.w;
     // A texel's depth is up to half a texel off, and the filter reads up to one texel farther.
-    const float roundedPosition = 1e-4;  // in sides of the volume, as for the hard shadow
     const float roundedDepth = 1e-6;
     float perDepth = projected.w / map.depth.y;
     float rising = sqrt(1.0 / (cosine * cosine) - 1.0);
     float least = 4.0 * map.depth.x / map.depth.y * (1.5 * rising + 0.5) +
-                  roundedPosition * (1.0 + rising) / distance + roundedDepth * perDepth;
+                  map.depth.w * (1.0 + rising) / distance + roundedDepth * perDepth;
     float scale = 1.0 / (1.0 + along * place.w);
     return Beside(vec3(inMap.xy, layer), inMap.z, perDepth, vec2(scale, -along * scale), least);
 }
@@ -67,7 +66,9 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         radius *= radius * reach;
         Beside there =
             projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
-        float nearness = (there.depth - textureLod(lightMaps, there.inMap, 0.0).r) * there.perDepth;
+        vec4 depth =
+            projectedDepths(textureLod(lightMaps, there.inMap, 0.0).rrrr, punctual.map[int(there.inMap.z)]);
+        float nearness = (there.depth - depth.r) * there.perDepth;
         float penumbra = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         addTap(search, nearness > there.least ? penumbra : 0.0, radius);
         direction = goldenTurn * direction;
@@ -88,7 +89,8 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         Beside there =
             projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         vec3 corner = vec3(footprintCorner(there.inMap.xy, mapSize), there.inMap.z);
-        vec4 nearness = (there.depth - textureGather(lightMaps, corner)) * there.perDepth;
+        vec4 depths = projectedDepths(textureGather(lightMaps, corner), punctual.map[int(there.inMap.z)]);
+        vec4 nearness = (there.depth - depths) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) *
                        vec4(greaterThan(cone, vec4(coneShare * radius)));

@@ -35,21 +35,26 @@ int cubeFace(vec3 direction) {
     return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
 }
 
+// Depths of a map's projection, from those that the map stores (passes/light_map.vert).
+vec4 projectedDepths(vec4 stored, LightMap map) {
+    return map.depth.z == 0.0 ? stored : 1.0 + map.depth.z - map.depth.z / max(stored, 1e-5);
+}
+
 #ifdef VCT_SOFT_LIGHTS
 #include "passes/soft_lights.glsl"
 #endif
 
 // As shadowFootprintLight() in shared/shadow.glsl, for a layer of the maps.
-float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, vec2 slope, float slack,
-                           float contact) {
-    vec2 size = vec2(textureSize(maps, 0).xy);
-    ShadowFootprint four = shadowFootprint(
-        textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
+float shadowFootprintLight(LightMap map, int layer, vec3 receiver, vec2 slope, float slack, float contact) {
+    vec2 size = vec2(textureSize(lightMaps, 0).xy);
+    vec4 depths =
+        projectedDepths(textureGather(lightMaps, vec3(footprintCorner(receiver.xy, size), layer)), map);
+    ShadowFootprint four = shadowFootprint(depths, receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
     vec2 next = tieBreakTexel(four, slope);
-    return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope,
-                     slack, contact);
+    vec4 nextDepth = projectedDepths(textureLod(lightMaps, vec3((next + 0.5) / size, layer), 0.0).rrrr, map);
+    return edgeLight(four, next, nextDepth.r, receiver, slope, slack, contact);
 }
 
 // Visibility of a light from a surface: 0 in shadow, 1 in light, and values between them at the edge of the
@@ -75,11 +80,10 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     // The slope is limited to that of a surface that the light meets at less than a degree.
     float texel = map.depth.x * perW;
     slope = clamp(slope / vec2(textureSize(lightMaps, 0).xy), -256.0 * texel, 256.0 * texel);
-    const float roundedPosition = 1e-4;  // error of a position from the G-buffer, in sides of the volume
     const float roundedDepth = 1e-6;
-    float rounding = roundedPosition * map.depth.y * perW * perW + roundedDepth;
+    float rounding = map.depth.w * map.depth.y * perW * perW + roundedDepth;
     float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
-    float hard = max(shadowFootprintLight(lightMaps, layer, receiver, slope, slack, 2.0), 0.0);
+    float hard = max(shadowFootprintLight(map, layer, receiver, slope, slack, 2.0), 0.0);
 #ifdef VCT_SOFT_LIGHTS
     float nearest = receiver.z * projected.w / map.depth.y;
     if (punctual.light[i].cone.z == 0.0) return hard;

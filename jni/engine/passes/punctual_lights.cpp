@@ -18,7 +18,7 @@ namespace {
 
 using Type = PunctualLight::Type;
 
-// Texels along a side. All maps together take at most as much memory as one map of 2048^2 texels, 16 MB.
+// Texels along a side. All maps together take at most as much memory as one map of 2048^2 texels, 8 MB.
 constexpr int maxMapSize = 512;
 constexpr int maxTotalSize = 2048;
 // Texels at each border of a map that only the filter reads.
@@ -47,7 +47,7 @@ glm::dmat4 viewOfCube(int face, const glm::dvec3& position) {
 gl::ProgramDescription lightMapProgram(unsigned features) {
     gl::ProgramDescription program = shadowMapProgram(features);
     program.name = "light_map";
-    program.shaders.front() = "passes/light_map.vert";
+    program.shaders = {"passes/light_map.vert", "passes/light_map.frag"};
     return program;
 }
 
@@ -72,7 +72,7 @@ PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene&
     maps_ = std::min(maps_, VCT_MAX_LIGHT_MAPS);
     assignMaps();
     mapSize_ = std::min(maxMapSize, maxTotalSize / static_cast<int>(std::ceil(std::sqrt(maps_))));
-    depth_ = gl::Texture::make2dArray("light maps", GL_DEPTH_COMPONENT24, mapSize_, mapSize_, maps_);
+    depth_ = gl::Texture::make2dArray("light maps", GL_DEPTH_COMPONENT16, mapSize_, mapSize_, maps_);
     for (int map = 0; map < maps_; ++map)
         framebuffers_.emplace_back("light map " + std::to_string(map), depth_, map);
 }
@@ -211,16 +211,20 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const PunctualLight& definition = *light.definition;
     const bool usesCube = light.maps > 1;
     const glm::dmat4 volumeFromWorld = volume_.volumeFromWorld();
-    const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide) {
-        values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0)};
+    // `range`: the length that the stored depths cover, in sides of the volume.
+    const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide,
+                         double storedNear, double range) {
+        const double roundedPosition = 1e-4;  // of a position from the G-buffer
+        values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, storedNear,
+                                                                roundedPosition + range / 0x1FFFE)};
     };
     if (definition.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
         const glm::dmat4 mapFromVolume =
             shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
         // The depth range is at least as long as the map is wide, so a quarter of a texel is at most this.
-        set(light.firstMap, mapFromVolume, 0.25 / mapSize_,
-            glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]));
+        const double depthOfSide = glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]);
+        set(light.firstMap, mapFromVolume, 0.25 / mapSize_, depthOfSide, 0.0, 1.0 / depthOfSide);
         return;
     }
     const glm::dvec3 position(volumeFromWorld * state.worldFromLight[3]);
@@ -243,7 +247,7 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
                                     ? viewOfCube(i, position)
                                     : glm::lookAt(position, position - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
-        set(light.firstMap + i, mapFromView * view, quarterTexel, b);
+        set(light.firstMap + i, mapFromView * view, quarterTexel, b, near / (far - near), far);
     }
 }
 

@@ -1,6 +1,6 @@
 // Punctual lights and their shadow maps. The maps are layers of one texture: six for a point light or a wide
 // spot, one for any other light. If they are more than VCT_MAX_LIGHT_MAPS, the lights that matter least have
-// none and cast no shadows. All maps together take at most 16 MB. shaders/shared/punctual_lights.glsl reads
+// none and cast no shadows. All maps together take at most 8 MB. shaders/shared/punctual_lights.glsl reads
 // them.
 #pragma once
 

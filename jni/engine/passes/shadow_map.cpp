@@ -59,17 +59,24 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
     : shaders_(shaders),
       size_(size),
       tiles_(cascades > 1 ? 2 : 1),
-      programs_(shaders, scene, shadowMapProgram),
-      // 16 bits are enough for the soft shadow, which tolerates their rounding (depthRounding in
-      // shaders/shared/shadow.glsl). To the hard one they would add an error besides the thesis's bias.
-      depth_(gl::Texture::make2d("shadow map", soft ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
-                                 tiles_ * size, tiles_ * size, soft ? levelsOf(size) : 1)),
-      framebuffer_("shadow map", {}, &depth_) {
+      soft_(soft),
+      programs_(shaders, scene, shadowMapProgram) {
+    makeTexture(1);
+}
+
+void ShadowMap::makeTexture(int levels) {
+    cachedFor_.reset();
+    // 16 bits are enough for the soft shadow, which tolerates their rounding (depthRounding in
+    // shaders/shared/shadow.glsl). To the hard one they would add an error besides the thesis's bias.
+    depth_ = {};
+    depth_ = gl::Texture::make2d("shadow map", soft_ ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
+                                 tiles_ * size_, tiles_ * size_, levels);
+    framebuffer_ = gl::Framebuffer("shadow map", {}, &depth_);
     // With a comparison, the linear filter averages comparisons of four texels of each level.
-    depth_.setFilter(soft ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
+    depth_.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
     depth_.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     depth_.setParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    for (int level = 1; level < depth_.levels(); ++level)
+    for (int level = 1; level < levels; ++level)
         levels_.emplace_back("shadow map, level " + std::to_string(level), std::vector<const gl::Texture*>{},
                              &depth_, level);
 }
@@ -77,6 +84,7 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
                                  const shared::FrameUniforms& uniforms, Output output, bool forceRebuild,
                                  StepTimer& timer) {
+    if (soft_ && reads(output).softShadow && depth_.levels() < levelsOf(size_)) makeTexture(levelsOf(size_));
     const bool isSameLight =
         !forceRebuild && cachedFor_ && cachedFor_->directionToLight == now.directionToLight;
     if (!isSameLight || cachedFor_->placements != now.placements || cascades_ != cascades) {

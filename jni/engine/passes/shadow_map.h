@@ -29,6 +29,7 @@ struct ShadowTextures {
 class ShadowMap {
   public:
     // `size`: texels along a side. With more than one of `cascades`, there are 2 x 2 maps of that size.
+    // `soft`: outputs with a soft shadow read coarser levels. The map has none until the first of them.
     ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false,
               int cascades = 1);
 
@@ -43,6 +44,8 @@ class ShadowMap {
     const gl::Texture& texture() const { return depth_; }
 
   private:
+    // Makes the texture and its framebuffers, which have to be drawn then.
+    void makeTexture(int levels);
     void draw(const GpuScene& scene, const shared::FrameUniforms& uniforms);
     void drawTile(const GpuScene& scene, const DrawRegion& region, int tile);
     // Draws the tiles whose cascades are not at cascades_, and those that show a part of the `changed` boxes.
@@ -52,6 +55,7 @@ class ShadowMap {
 
     gl::ShaderLibrary shaders_;
     int size_, tiles_;
+    bool soft_;
     MaterialPrograms programs_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
