@@ -13,8 +13,8 @@ struct Surface {
 };
 
 // How far a row goes on, in paces, until a surface such as a wall that stands on the face's is between its
-// middle and what follows, as far as the faces in the voxel `t` paces away tell. `others`: a bit for each face
-// but those of the row.
+// middle and what follows, as far as the faces in the voxel `t` paces away tell. `others`: a bit for each
+// face but those of the row.
 float paceOfWall(Row row, Surface surface, float t, uint others) {
     // Walls are looked for above the surface. Their voxels are at most so many paces away from them.
     const float height = 0.75, inVoxel = 0.9, none = 1e9;
@@ -44,8 +44,8 @@ bool isOfSurface(Surface surface, ivec3 voxel, uint cell, uint id) {
 // A bit for each of the two faces that follow along a row.
 uint linksAlong(Row row, Surface surface, int face) {
     float squared = dot(row.pace, row.pace);
-    // Along a steep row the next voxel of the face's axis is too far away. Between two voxels of a slanted row
-    // there may be a third one.
+    // Along a steep row the next voxel of the face's axis is too far away. Between two voxels of a slanted
+    // row there may be a third one.
     bool isSteep = squared > 2.1, isSlanted = squared > 1.01;
     if (isSteep) return 0u;
     uint own = 1u << uint(face), others = VCT_FACE_MASK & ~own, links = 0u;

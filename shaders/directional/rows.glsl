@@ -16,7 +16,8 @@ Row rowOf(ListedFace listed, SurfacePlane plane, vec2 along) {
     float height = clamp(plane.offset * steepness, -0.499, 0.499);
     float slope = -dot(acrossFaces(plane.normal, axis), along) * steepness;
     return Row(listed.voxel, firstOfCascade(listed.voxel, frame.gridSide),
-               vec3(listed.voxel) + 0.5 + fromAcross(vec2(0.0), height, axis), fromAcross(along, slope, axis));
+               vec3(listed.voxel) + 0.5 + fromAcross(vec2(0.0), height, axis),
+               fromAcross(along, slope, axis));
 }
 ivec3 voxelOfRow(Row row, float paces) {
     return ivec3(floor(row.start + paces * row.pace));

@@ -1,9 +1,9 @@
 // The sun's soft shadow by percentage-closer soft shadows (Fernando 2005): a search for blockers gives the
 // width of the penumbra, over which comparisons with the shadow map are averaged. It reads the hard shadow's
-// five texels, eight more depths and, if anything blocks the light, 16 comparisons. A wide
-// penumbra compares with coarser levels of the map (passes/shadow_level.frag), so that a few comparisons
-// leave no gaps and the cost does not grow with the width. Behind a straight edge, the root mean square
-// error in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
+// five texels, eight more depths and, if anything blocks the light, 16 comparisons, or 32 in the dark half
+// of a penumbra. A wide penumbra compares with coarser levels of the map (passes/shadow_level.frag), so that
+// a few comparisons leave no gaps and the cost does not grow with the width. Behind a straight edge, the root
+// mean square error in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
 #include "shared/shadow.glsl"
 
 // The taps of the search form a Vogel disc whose radii grow by more than a uniform disc's, because blockers
@@ -101,21 +101,37 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     vec3 middle = vec3(receiver.xy, receiver.z - lift - roundingBias);
     vec3 stepX = vec3(map.coneRadius.x, 0.0, slope.x) * penumbra;
     vec3 stepY = vec3(0.0, map.coneRadius.y, slope.y) * penumbra;
-    // Four comparisons at a time, a quarter turn apart.
-    vec2 tap = firstTap;
-    float distance = 0.0;
-    float light = 0.0;
-    for (int i = 0; i < filterTaps / 4; ++i) {
-        float farther = sqrt((float(i) + 0.5) / float(filterTaps / 4));
-        middle.z -= inCone * (farther - distance);
-        distance = farther;
-        vec2 at = tap * distance;
-        vec3 a = stepX * at.x + stepY * at.y, b = stepY * at.x - stepX * at.y;
-        vec3 p = middle + a, q = middle - a, r = middle + b, s = middle - b;
-        light += textureLod(shadowMap, p, level) + textureLod(shadowMap, q, level) +
-                 textureLod(shadowMap, r, level) + textureLod(shadowMap, s, level);
-        tap = goldenQuarter * tap;
+    // A wall that is parallel to the sun hides a part of it along its crease, but the map does not show that
+    // wall, and taps see past it. In the hard shadow a second round compares with depths behind the
+    // receiver's plane, further than a relief and the levels' texels rise, and finds the taps that see past
+    // its border.
+    float light = 0.0, pastBorder = 0.0;
+    for (int side = 0; side < (isDark ? 2 : 1); ++side) {
+        // Four comparisons at a time, a quarter turn apart.
+        vec2 tap = firstTap;
+        float distance = 0.0;
+        float sum = 0.0;
+        for (int i = 0; i < filterTaps / 4; ++i) {
+            float farther = sqrt((float(i) + 0.5) / float(filterTaps / 4));
+            middle.z -= inCone * (farther - distance);
+            distance = farther;
+            vec2 at = tap * distance;
+            vec3 a = stepX * at.x + stepY * at.y, b = stepY * at.x - stepX * at.y;
+            vec3 p = middle + a, q = middle - a, r = middle + b, s = middle - b;
+            sum += textureLod(shadowMap, p, level) + textureLod(shadowMap, q, level) +
+                   textureLod(shadowMap, r, level) + textureLod(shadowMap, s, level);
+            tap = goldenQuarter * tap;
+        }
+        if (side == 0)
+            light = sum;
+        else
+            pastBorder = sum;
+        if (sum == 0.0) break;
+        middle.z = receiver.z + 1.5 * texels * rise + 0.5 * map.coneRadius.x * penumbra;
+        inCone = 0.0;
     }
+    // Taps past the border count if enough others see the plane in light.
+    if (isDark) light = min(light, max(4.0 * (light - pastBorder - min(pastBorder, 1.0)), 0.0));
     light *= 1.0 / float(filterTaps);
     return isDark ? light * clamp(radius - 1.0, 0.0, 1.0) : light;
 }
