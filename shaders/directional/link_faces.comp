@@ -12,7 +12,7 @@ struct Surface {
     vec3 middle, normal;
 };
 
-// How far a row goes on, in paces, until a surface such as a wall that stands on the face's is between its
+// The number of paces after which a surface, such as a wall that stands on the face's, is between the row's
 // middle and what follows, as far as the faces in the voxel `t` paces away tell. `others`: a bit for each
 // face but those of the row.
 float paceOfWall(Row row, Surface surface, float t, uint others) {
