@@ -62,8 +62,8 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
         add(Step::voxelize, resolveProgram(emission));
         add(Step::voxelize, fillBlocksProgram(emission));
         if (read.ambientVisibility || read.indirectLight) {
-            for (const char* name : {"clear_bricks", "place_bricks", "mark_walls", "link_faces",
-                                     "fill_bricks", "mean_bricks", "mean_cells"})
+            for (const char* name :
+                 {"clear_bricks", "place_bricks", "mark_walls", "link_faces", "fill_bricks"})
                 add(Step::irradiance, lightProgram(name, lights));
             if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
             add(Step::inject, injectProgram(lights));

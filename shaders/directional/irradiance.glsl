@@ -4,9 +4,6 @@
 // faces that the block has, with a border around it. A texel holds irradiance, relative to E and
 // premultiplied by coverage, in rgb, and coverage in alpha. It has half floats, because filtering of 8 bits
 // would show steps that move with the camera.
-//
-// Before the bricks, the texture has VCT_CELLS layers with the means of cells, each cell a quarter of a
-// cascade wide, and then a texel with the mean of each brick. They are for surfaces without faces near by.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "directional/cascades.glsl"
@@ -27,45 +24,33 @@ vec3 positionInBrick(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
-const float maxMean = 6e4;  // the largest half float is 65504
-
-// The texel of a brick's mean. Those of all bricks in 36 layers lie in one layer.
-ivec3 meanTexel(uint brick) {
-    int along = textureSize(irradiance, 0).x / VCT_BRICK_TEXELS, layer = int(brick & 0x3FFu);
-    return ivec3(layer % 6 * along + int(brick >> 18u & 0xFFu),
-                 layer / 6 % 6 * along + int(brick >> 10u & 0xFFu), VCT_CELLS + layer / 36);
-}
-// The texel of a cascade's first cell.
-ivec3 firstCell(int cascade) {
-    return ivec3(VCT_BRICK_TEXELS * cascade, 0, 0);
-}
-
-mediump vec4 filteredTexel(vec3 texel) {
-    return textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
+// The filtered content of a brick at an offset from its first texel; 0 if there is no brick.
+mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
+    // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
+    // scales.
+    const vec3 texelsOfUnit = vec3(VCT_BRICK_TEXELS, VCT_BRICK_TEXELS, 1) / vec3(1 << 18, 1 << 10, 1);
+    vec3 texel = inBrick + vec3(brick & 0x3FC0000u, brick & 0x3FC00u, brick & 0x3FFu) * texelsOfUnit;
+    mediump vec4 received = textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
+    // A selection is cheaper than a branch, because nearly all bricks exist.
+    return brick != 0u ? received : vec4(0.0);
 }
 
 // The filtered content of the brick of a block's face. If `hasSides`, a position beside a thin wall takes its
 // own side.
-vec3 texelInBrick(uint brick, ivec3 texel, int axis, vec3 inBrick, bool hasSides) {
+mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, bool hasSides) {
+    ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
+    uint brick = texelFetch(bricks, texel, 0).r;
     if (hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u)
         inBrick =
             besideWalls(texelFetch(walls, texel, 0).r, inBrick, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
     if ((brick & VCT_BRICK_IS_FLAT) != 0u) inBrick = vec3(acrossFaces(inBrick, axis), 0.5);
-    // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
-    // scales.
-    const vec3 texelsOfUnit = vec3(VCT_BRICK_TEXELS, VCT_BRICK_TEXELS, 1) / vec3(1 << 18, 1 << 10, 1);
-    return inBrick + vec3(brick & 0x3FC0000u, brick & 0x3FC00u, brick & 0x3FFu) * texelsOfUnit;
+    return irradianceInBrick(brick, inBrick);
 }
 
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
 // side of an axis. `block`: the block of the position, or one at most half a voxel away.
 mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
-    ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
-    uint brick = texelFetch(bricks, texel, 0).r;
-    mediump vec4 received =
-        filteredTexel(texelInBrick(brick, texel, axis, positionInBrick(position, block), true));
-    // A selection is cheaper than a branch, because nearly all bricks exist.
-    return brick != 0u ? received : vec4(0.0);
+    return irradianceOfBlock(block, axis, side, positionInBrick(position, block), true);
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
@@ -77,29 +62,26 @@ vec3 cornerOffset(uint i) {
 // the faces on the normal's side of each axis, weighted by the square of the normal, as in an ambient cube
 // (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
-// If the voxels around the position have no such faces, up to 15 other places are tried. Rounding may have
-// moved a surface on the border of two blocks into the other block: the first eight tries use the bricks of
-// the blocks at most half a voxel away. It may also have moved a surface that ends at a wall, as in a crease,
-// to the wall's other side, so these tries read both sides. A surface so thin that the voxels missed it takes
-// the mean of its block, of faces on the normal's side if possible: six bricks. If the block has no faces of
-// any side, the mean of the cells around the position follows. (Faces of the right side in a block further
-// away would often be the outside of a wall.) All tries share the fetch in the loop, because a second fetch
-// would cost registers in every pixel.
+// If the voxels around the position have no such faces, other positions are tried. Rounding may have moved a
+// surface on the border of two blocks into the other block: the first eight tries use the bricks of the
+// blocks at most half a voxel away. It may also have moved a surface that ends at a wall, as in a crease, to
+// the wall's other side, so these tries read both sides. A surface so thin that the voxels missed it takes
+// the mean of its block, of faces on the normal's side if possible: six faces with eight fetches each. If the
+// block has no faces of any side, the blocks around it follow, at twice the distance each time. (Faces of the
+// right side in a block further away would often be the outside of a wall.) All tries share the fetch in the
+// loop, because a second fetch would cost registers in every pixel.
 mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
     // With less coverage the result is unknown.
-    const mediump float minCoverage = 0.03, minOfBlock = 1.5e-4;
+    const mediump float minCoverage = 0.03;
     // Weight of faces that do not look to the normal's side, as much as a half float needs for dim light.
     const mediump float otherSide = 0.01;
-    const uint borderTries = 8u, blockTries = borderTries + 6u, tries = blockTries + 1u;
+    const uint borderTries = 8u, tries = borderTries + 25u * 48u;
 
-    // A surface outside of the volume, as of an object that has left it, takes the light at its border.
-    int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
-    ivec3 firstBlock = ivec3(0, 0, cascade * blocks);
-    vec3 first = vec3(VCT_BRICK_SIDE * firstBlock), last = first + (float(frame.gridSide) - 1e-3);
-    vec3 position = clamp(voxelsFromVolume(positionVolume, cascade), first, last);
+    vec3 position = voxelsFromVolume(positionVolume, cascade);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
+    vec3 inBrick = positionInBrick(position, block);
     int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
     float instead = 0.0;  // replaces the normal's component along the axis, if not 0
     mediump vec4 sum = vec4(0.0);
@@ -109,30 +91,25 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            ivec3 texel = faceTexel(block, axis, along > 0.0 ? 0 : 1, blocks);
-            uint brick = texelFetch(bricks, texel, 0).r;
-            vec3 place = texelInBrick(brick, texel, axis, positionInBrick(position, block), i == 0u);
-            if (i > borderTries) place = vec3(meanTexel(brick)) + 0.5;
-            if (i == tries) {
-                vec3 inCells = (position - first) * (float(VCT_CELLS) / float(frame.gridSide));
-                place = vec3(firstCell(cascade)) + clamp(inCells, 0.5, float(VCT_CELLS) - 0.5);
-            }
-            mediump vec4 received = filteredTexel(place);
-            // A selection is cheaper than a branch, because nearly all bricks exist.
-            sum += brick != 0u || i == tries ? weight * received : vec4(0.0);
+            sum += weight *
+                   irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, i == 0u || i > borderTries);
         } while (axes > 0);
-        // The bricks of a block belong together.
-        if (i == tries || i <= borderTries && sum.a >= minCoverage || i == blockTries && sum.a >= minOfBlock)
-            break;
+        // The 48 fetches of a block belong together.
+        bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;
+        if (i == tries || whole && sum.a >= (inBlocks ? otherSide * minCoverage : minCoverage)) break;
 
         bool onBorder = i < borderTries;
-        uint face = (i - borderTries) % 6u;
+        uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
         vec3 size = abs(normal);
         int axis = onBorder ? size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2 : int(face >> 1);
         float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : sqrt(otherSide));
-        vec3 aside = onBorder ? cornerOffset(i) : vec3(0.0);
-        block = ivec3(clamp(position + aside, first, last)) >> VCT_BRICK_LEVEL;
+        float aside = onBorder ? 1.0 : around == 0u ? 0.0 : exp2(float(2u + (around - 1u) / 8u));
+        int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
+        block = clampToCascade(
+            ivec3(position + aside * cornerOffset(onBorder ? i : around - 1u)) >> VCT_BRICK_LEVEL,
+            ivec3(0, 0, cascade * blocks), blocks);
+        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);

@@ -66,9 +66,8 @@ uint placeOf(ListedFace listed) {
         word = packLayer(uint(findLSB(layers)));
     }
     uint along = lightStep.bricksAlong;
-    return word | packBrick(uvec3(
-                      slot % along, slot / along % along,
-                      lightStep.firstBrickLayer + slot / (along * along) * uint(VCT_BRICK_TEXELS) + texel));
+    return word | packBrick(uvec3(slot % along, slot / along % along,
+                                  slot / (along * along) * uint(VCT_BRICK_TEXELS) + texel));
 }
 
 void main() {

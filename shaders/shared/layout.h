@@ -196,7 +196,6 @@ using glm::vec4;
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4       // 2^VCT_BRICK_LEVEL voxels
 #define VCT_BRICK_TEXELS 6     // the voxels and a border for the filter
-#define VCT_CELLS 4            // cells along a side of a cascade (directional/irradiance.glsl)
 #define VCT_MAX_GROUPS 65535u  // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
 // Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to
@@ -293,8 +292,7 @@ struct LightStep {
     uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
     uint fullBricks;       // bricks of which there is room for so many; the flat ones are behind them
     uint brickSlots;       // room for full bricks in all
-    uint firstBrickLayer;  // layer of texels along z where the bricks begin
-    uint unusedStep0, unusedStep1;
+    uint unusedStep0, unusedStep1, unusedStep2;
     vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
 };
 

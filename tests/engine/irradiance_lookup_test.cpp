@@ -79,46 +79,6 @@ TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
         }
 }
 
-// The index of blocks has the faces of the next axis behind those of one. There a dark slit stands, which is
-// what a floor would show where it goes on outside of the cube.
-TEST(IrradianceLookUp, OutsideOfTheCubeASurfaceTakesTheLightAtItsBorder) {
-    const Context context = openContext(Backend::egl);
-    Settings settings = mobileAt(128);
-    settings.grid = 64;
-    settings.skyRadiance = glm::vec3(1.0F);
-    Scene scene = emptyScene();
-    addQuad(scene, {20, 13.5, 4}, {0, 0, 56}, {70, 0, 0});
-    addQuad(scene, {1, 12.5, 30}, {12, 0, 0}, {0, 3, 0});
-    addQuad(scene, {1, 12.5, 31.2}, {0, 3, 0}, {12, 0, 0});
-    scene.boundsWorld = boundsForVoxelsAsWorld(64);
-    FrameInspector frame(context, scene, noLight(), settings, lookAt({70, 30, 31}, {70, 13, 30.5}, 30));
-    Spread outside;
-    for (const SeenSurface& seen : frame.seen(Output::irradiance))
-        if (seen.surface.positionVolume.x > 64.5 / 64.0) outside.add(seen.value.x);
-    ASSERT_GT(outside.count, 2000);
-    EXPECT_GT(outside.min, 0.97);
-    EXPECT_LT(outside.max, 1.03);
-}
-
-// The voxelization samples four points across a voxel, and none of them is on this strip. It is two blocks
-// away from all faces.
-TEST(IrradianceLookUp, AStripFarFromAllFacesHasTheLightOfThoseAroundIt) {
-    const Context context = openContext(Backend::egl);
-    Settings settings = mobileAt(256);
-    settings.grid = 64;
-    settings.skyRadiance = glm::vec3(1.0F);
-    Scene scene = emptyScene();
-    addQuad(scene, {4, 11.5, 4}, {0, 0, 56}, {56, 0, 0});
-    addQuad(scene, {32.17, 17, 32.6}, {0.06, 0, 0}, {0, 6, 0});
-    scene.boundsWorld = boundsForVoxelsAsWorld(64);
-    FrameInspector frame(context, scene, noLight(), settings, lookAt({32.2, 20, 40}, {32.2, 20, 32}, 30));
-    Spread strip;
-    for (const SeenSurface& seen : frame.seen(Output::irradiance))
-        if (seen.surface.normal.z > 0.9) strip.add(seen.value.x);
-    ASSERT_GT(strip.count, 100);
-    EXPECT_GT(strip.min, 0.9);
-}
-
 // The rods of a grille are thinner than a voxel, so some pixels have no face on their normal's side.
 TEST(IrradianceLookUp, ThinRodsBeforeTheSkyAreLit) {
     const Context context = openContext(Backend::egl);

@@ -77,8 +77,6 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       smoothRows_(shaders, raysProgram("smooth_rows", settings, sources)),
       smooth_(shaders, raysProgram("smooth", settings, sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
-      meanBricks_(shaders, lightProgram("mean_bricks", sources)),
-      meanCells_(shaders, lightProgram("mean_cells", sources)),
       emitters_(sources.emitters),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (listsChange) {
@@ -228,12 +226,6 @@ void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {
     gl::Uniform1ui(VCT_UNIFORM_SHOWS_VISIBILITY, visibility ? 1 : 0);
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     voxels.index().dispatchOverFaces(fillsAll ? 0 : VCT_LIST_VISITED);
-    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    meanBricks_.use();
-    voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
-    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    meanCells_.use();
-    gl::DispatchCompute(VCT_CELLS, VCT_CELLS, static_cast<GLuint>(VCT_CELLS * voxels.cascades()));
     // The last pass of the frame fetches the bricks.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -357,19 +349,10 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     const std::uint32_t slots = fullBricks_ + (flatBricks_ + VCT_BRICK_TEXELS - 1) / VCT_BRICK_TEXELS;
     if (irradiance_ && slots == brickSlots_) return;
     brickSlots_ = slots;
-    // There is a slot's width of cells for each cascade.
-    bricksAlong_ = std::max(static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(slots, 1U)))),
-                            static_cast<std::uint32_t>(voxels.cascades()));
+    bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(slots, 1U))));
     const std::uint32_t layer = bricksAlong_ * bricksAlong_;
     const std::uint32_t layers = std::max((slots + layer - 1) / layer, 1U);
-    // The means of the bricks in 36 layers of texels lie in one layer, and before them are those of cells.
-    constexpr std::uint32_t perLayer = VCT_BRICK_TEXELS * VCT_BRICK_TEXELS;
-    firstBrickLayer_ = VCT_CELLS;
-    while (firstBrickLayer_ <
-           VCT_CELLS + (firstBrickLayer_ + VCT_BRICK_TEXELS * layers + perLayer - 1) / perLayer)
-        ++firstBrickLayer_;
-    irradianceSize_ = glm::ivec3(VCT_BRICK_TEXELS * bricksAlong_, VCT_BRICK_TEXELS * bricksAlong_,
-                                 firstBrickLayer_ + VCT_BRICK_TEXELS * layers);
+    irradianceSize_ = VCT_BRICK_TEXELS * glm::ivec3(bricksAlong_, bricksAlong_, layers);
     irradiance_ = gl::Texture::make3d("irradiance", GL_RGBA16F, irradianceSize_.x, irradianceSize_.y,
                                       irradianceSize_.z, 1);
     irradiance_->setFilter(GL_LINEAR, GL_LINEAR);
@@ -403,7 +386,6 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.bricksAlong = bricksAlong_;
     values.fullBricks = fullBricks_;
     values.brickSlots = brickSlots_;
-    values.firstBrickLayer = firstBrickLayer_;
     values.firstForward = irradianceWords() * idCapacity_;
     values.firstHit = values.firstForward + idCapacity_;
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));

@@ -15,8 +15,8 @@
 
 namespace vct {
 
-// A program of a light step, except for those below. `name`: clear_bricks, place_bricks, mark_walls,
-// fill_bricks, mean_bricks or mean_cells.
+// A program of a light step, except for those below. `name`: clear_bricks, place_bricks, mark_walls or
+// fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
 // A program that depends on the number of directions. `name`: carry_over, carry_hits, sky, trace, block,
 // gather, refine or smooth.
@@ -128,7 +128,7 @@ class Irradiance {
     LightPlan plan_;
     LightSchedule::Change pending_;  // changes that no step has taken into account yet
     gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
-        smoothRows_, smooth_, fillBricks_, meanBricks_, meanCells_;
+        smoothRows_, smooth_, fillBricks_;
     std::optional<gl::Program> carryOver_, carryHits_;      // only with dynamic objects or cascades
     std::optional<gl::Program> forwardHits_, listVisited_;  // only with cascades
     std::optional<gl::Program> block_;                      // only with moving objects
@@ -148,7 +148,7 @@ class Irradiance {
     FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
     std::uint32_t fullBricks_ = 0, flatBricks_ = 0;  // room for so many
-    std::uint32_t brickSlots_ = 0, bricksAlong_ = 0, firstBrickLayer_ = 0;
+    std::uint32_t brickSlots_ = 0, bricksAlong_ = 0;
 };
 
 }  // namespace vct
