@@ -28,9 +28,10 @@ const CubeRoom cubeRooms[] = {{"closed", false, 0.0, false, 25.0},
                               {"open, double-sided, turned", true, 0.0, true, 25.0},
                               {"open, thin walls", true, 0.04, false, 0.0}};
 
-// Directions to the sun: through the front, nearly along a wall, and two that let walls and floor shade each
-// other.
-const glm::dvec3 suns[] = {{0.3, 0.5, 0.8}, {0.8, 0.5, 0.1}, {-0.63, 0.72, 0.2}, {0.23, -0.75, 0.62}};
+// Directions to the sun: through the front, nearly along a wall, two that let walls and floor shade each
+// other, and two that are parallel to a wall, which the shadow map then does not show.
+const glm::dvec3 suns[] = {{0.3, 0.5, 0.8},     {0.8, 0.5, 0.1},       {-0.63, 0.72, 0.2},
+                           {0.23, -0.75, 0.62}, {-0.988, 0.0, -0.154}, {-0.954, -0.299, -0.008}};
 
 // `turn` is set to the matrix from the cube to the world.
 Scene sceneOf(const CubeRoom& room, glm::dmat4& turn) {
@@ -49,11 +50,11 @@ Scene sceneOf(const CubeRoom& room, glm::dmat4& turn) {
     return finished(std::move(scene));
 }
 
-// A wide penumbra in a crease comes from 16 samples, three of which may be wrong.
-constexpr float hardLeak = 0.02F, softLeak = 0.2F;
-// Share of the dark pixels in creases. The soft shadow does not read a fifth texel as the hard one does, and
-// the finest filter of the moments is two texels wide.
-constexpr double softLeaks = 0.0012;
+// A wide penumbra in a crease comes from 16 samples, of which one may be wrong.
+constexpr float hardLeak = 0.02F, softLeak = 0.1F;
+// Share of the dark pixels in creases. Of a wall that is parallel to the sun the map has a few texels or
+// none.
+constexpr double softLeaks = 0.001;
 constexpr float sunDeg = 2.0F;
 
 struct Count {
@@ -176,7 +177,7 @@ TEST(CreasesOfVoxels, HoldNoSun) {
             }
             EXPECT_GT(faces, 1000) << room.name;
             // Walls of a turned room that meet share faces, whose middle may lie beyond a wall.
-            EXPECT_LE(lit, room.angleDeg == 0.0 ? 0 : faces / 2000) << room.name;
+            EXPECT_LE(lit, room.angleDeg == 0.0 ? 0 : faces / 1500) << room.name;
         }
     }
 }
