@@ -1,8 +1,9 @@
 // The mean of a face and its neighbours along one of the two axes across the face, the first half of the
 // smoothing in a window (directional/smooth.comp). Of a mean over the cached rays the window has 5 x 5 faces,
 // with the weights 1/2, 1, 1, 1 and 1/2 along an axis; of a refined mean, which is less noisy, 3 x 3 faces
-// with 1/2, 1 and 1/2. Faces that directional/link_faces.comp has not linked do not count. The including
-// shader reads the neighbours: besideMean().
+// with 1/2, 1 and 1/2. Faces that directional/link_faces.comp has not linked do not count, and those that are
+// nearer to other surfaces or further away count less: irradiance varies fast across a crease, but not along
+// it. The including shader reads the neighbours: besideMean().
 #include "directional/rows.glsl"
 #include "directional/face_irradiance.glsl"
 
@@ -24,7 +25,9 @@ vec4 unsmoothedMean(uint id) {
 
 // `axis`: 0 or 1, the axis across the face that the row follows.
 WeightedMean meanAlong(ListedFace listed, uint id, int axis) {
+    const float similarity = 3.0;
     WeightedMean sum = besideMean(id);
+    float own = closeness(faceSight(id).nearness);
     sum.mean *= sum.weight;
     uint links = faceLinks(id) >> uint(4 * axis) & (isRefining() ? 5u : 15u);
     Row row = rowOf(listed, facePlane(id), axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
@@ -32,8 +35,11 @@ WeightedMean meanAlong(ListedFace listed, uint id, int axis) {
         int link = findLSB(left), steps = 1 + (link & 1);
         ivec3 voxel = voxelOfRow(row, float(link < 2 ? -steps : steps));
         uint cell = cellBeside(row, voxel, 1u << uint(listed.face));
-        WeightedMean beside = besideMean(faceId(cell, listed.face));
-        float weight = beside.weight / float(isRefining() ? 2 : steps);
+        uint besideId = faceId(cell, listed.face);
+        WeightedMean beside = besideMean(besideId);
+        float difference = abs(closeness(faceSight(besideId).nearness) - own);
+        float weight =
+            beside.weight / float(isRefining() ? 2 : steps) * max(1.0 - similarity * difference, 0.0);
         sum.mean += weight * beside.mean;
         sum.weight += weight;
     }

@@ -52,19 +52,20 @@ void storeFaceMean(uint id, uint mean, vec4 value) {
     faceIrradianceData[at + 1u] = packHalf2x16(value.ba);
 }
 
-// The mean over a row of faces and the sum of their weights, a multiple of 1/2 up to 4. Ambient visibility
-// has 12 bits, and the weight 4.
+// The mean over a row of faces and the sum of their weights, up to 4. Ambient visibility has 12 bits, and the
+// weight 4.
+const float rowWeightUnits = 3.75;
 void storeFaceRow(uint id, vec4 value, float weight) {
     uint at = irradianceAt(id) + VCT_FACE_ROW;
     value.rgb = clamp(value.rgb, 0.0, maxStoredLight);
     uint visibility = uint(clamp(value.a, 0.0, 1.0) * 4095.0 + 0.5);
     faceIrradianceData[at] = packHalf2x16(value.rg);
     faceIrradianceData[at + 1u] =
-        packHalf2x16(vec2(value.b, 0.0)) | visibility << 16u | uint(weight * 2.0 + 0.5) << 28u;
+        packHalf2x16(vec2(value.b, 0.0)) | visibility << 16u | uint(weight * rowWeightUnits + 0.5) << 28u;
 }
 vec4 faceRow(uint id, out float weight) {
     uint at = irradianceAt(id) + VCT_FACE_ROW, second = faceIrradianceData[at + 1u];
-    weight = float(second >> 28u) * 0.5;
+    weight = float(second >> 28u) / rowWeightUnits;
     return vec4(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(second & 0xFFFFu).x,
                 float(second >> 16u & 4095u) / 4095.0);
 }

@@ -4,9 +4,8 @@
 // Neighbouring faces trace different directions: 4 x 4 of them have the whole set. So the mean over a window
 // of 4 x 4 faces has no noise, but blurs. The window is 5 x 5 faces wide, with half weights at its sides, so
 // that it is centred and each of the 16 kinds of faces has the same weight (interleaved sampling: Keller and
-// Heidrich 2001). Along creases irradiance varies too fast for that. The window is the product of two rows:
-// directional/smooth_rows.comp takes the mean along the first axis across the face, and this pass the mean of
-// those along the second.
+// Heidrich 2001). The window is the product of two rows: directional/smooth_rows.comp takes the mean along the
+// first axis across the face, and this pass the mean of those along the second.
 //
 // The refined mean of a face is of many more rays, which leave the spots of small bright surfaces; the
 // smaller window removes these. It is of an earlier light. What is shown is the smooth mean over the cached
@@ -20,13 +19,6 @@ WeightedMean besideMean(uint id) {
     WeightedMean row;
     row.mean = faceRow(id, row.weight);
     return row;
-}
-
-vec4 windowMean(ListedFace listed, uint id, vec4 now) {
-    // A face inside of a solid takes the light of those beside it.
-    float own = isHidden(id) ? 0.0 : closeness(faceSight(id).nearness);
-    WeightedMean window = meanAlong(listed, id, 1);
-    return window.weight > 0.0 ? mix(window.mean, now, own) : now;
 }
 
 // A refined mean, corrected by how the smooth mean has changed since. `known`: the smooth mean then.
@@ -43,7 +35,9 @@ void main() {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        vec4 window = windowMean(listed, id, unsmoothedMean(id));
+        // A face inside of a solid takes the light of those beside it.
+        WeightedMean column = meanAlong(listed, id, 1);
+        vec4 window = column.weight > 0.0 ? column.mean : unsmoothedMean(id);
         // The mean over the cached rays does not change in a refinement.
         vec4 smoothNow = isRefining() ? faceMean(id, VCT_MEAN_SMOOTH) : window;
         if (lightStep.interrupts != 0u) {
