@@ -1,6 +1,7 @@
 // Clears the bricks of face irradiance, the texture of their locations, and the static walls of cascades that
 // have moved. Each invocation clears a column of texels.
 #include "directional/cascades.glsl"
+#include "directional/walls.glsl"
 #include "shared/commands.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -22,6 +23,8 @@ void main() {
         for (int z = 0; z < size.z; ++z) {
             imageStore(brickSlots, ivec3(column, z), uvec4(0u));
             int cascade = z / (frame.gridSide >> VCT_BRICK_LEVEL);
-            if ((moved >> uint(cascade) & 1u) != 0u) imageStore(staticWalls, ivec3(column, z), uvec4(0u));
+            if ((moved >> uint(cascade) & 1u) == 0u) continue;
+            for (int word = 0; word < 2; ++word)
+                imageStore(staticWalls, wallTexel(ivec3(column, z), word, size.z), uvec4(0u));
         }
 }

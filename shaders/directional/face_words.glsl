@@ -50,12 +50,6 @@ SurfacePlane unpackPlane(uint word) {
     return SurfacePlane(decodeOctahedral(steps.yz, 254.0), float(steps.x) / 127.5 - 1.0);
 }
 
-// The vector with these components across the face and along its axis.
-vec3 fromAcross(vec2 across, float along, int axis) {
-    return axis == 0   ? vec3(along, across)
-           : axis == 1 ? vec3(across.y, along, across.x)
-                       : vec3(across, along);
-}
 // The point of a plane in a voxel, from the voxel's middle, whose components across the face are `place`.
 vec3 pointOnPlane(SurfacePlane plane, int axis, vec2 place) {
     vec2 across = acrossFaces(plane.normal, axis);

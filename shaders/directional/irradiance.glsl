@@ -24,8 +24,11 @@ vec3 positionInBrick(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
-// The filtered content of a brick at an offset from its first texel; 0 if there is no brick.
-mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
+// The filtered content of a brick of faces along `axis` at an offset from its first texel, along the two axes
+// that the faces span and along their own; 0 if there is no brick.
+mediump vec4 irradianceInBrick(uint brick, vec3 across, int axis) {
+    vec3 inBrick =
+        (brick & VCT_BRICK_IS_FLAT) != 0u ? vec3(across.xy, 0.5) : fromAcross(across.xy, across.z, axis);
     // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
     // scales.
     const vec3 texelsOfUnit = vec3(VCT_BRICK_TEXELS, VCT_BRICK_TEXELS, 1) / vec3(1 << 18, 1 << 10, 1);
@@ -35,22 +38,32 @@ mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
     return brick != 0u ? received : vec4(0.0);
 }
 
-// The filtered content of the brick of a block's face. If `hasSides`, a position beside a thin wall takes its
-// own side.
-mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, bool hasSides) {
-    ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
+// The filtered content of the brick of a block's face at a position of a surface with this normal. If
+// `hasSides`, a position beside a thin wall takes its own side.
+mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, vec3 normal, bool hasSides) {
+    int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
+    ivec3 texel = faceTexel(block, axis, side, blocks);
     uint brick = texelFetch(bricks, texel, 0).r;
-    if (hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u)
-        inBrick =
-            besideWalls(texelFetch(walls, texel, 0).r, inBrick, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
-    if ((brick & VCT_BRICK_IS_FLAT) != 0u) inBrick = vec3(acrossFaces(inBrick, axis), 0.5);
-    return irradianceInBrick(brick, inBrick);
+    vec3 position = vec3(acrossFaces(inBrick, axis), inBrick[axis]), moved = position;
+    vec3 normalAcross = vec3(acrossFaces(normal, axis), normal[axis]);
+    bool hasWalls = hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u;
+    for (int i = hasWalls ? 0 : 2; i < 2; ++i) {
+        uint word = texelFetch(walls, wallTexel(texel, i, blocks * cascades), 0).r;
+        moved = besideWall(word, position, moved, normalAcross).yxz;
+        position = position.yxz;
+        normalAcross = normalAcross.yxz;
+    }
+    // Faces that the surface hardly looks towards are few, and beside a wall most of them may be of the other
+    // side.
+    const float minWeight = 0.15;
+    return hasWalls && normalAcross.z * normalAcross.z < minWeight ? vec4(0.0)
+                                                                   : irradianceInBrick(brick, moved, axis);
 }
 
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
 // side of an axis. `block`: the block of the position, or one at most half a voxel away.
-mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
-    return irradianceOfBlock(block, axis, side, positionInBrick(position, block), true);
+mediump vec4 irradianceOfFaces(vec3 position, vec3 normal, ivec3 block, int axis, int side) {
+    return irradianceOfBlock(block, axis, side, positionInBrick(position, block), normal, true);
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
@@ -91,8 +104,8 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight *
-                   irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, i == 0u || i > borderTries);
+            sum += weight * irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, normal,
+                                              i == 0u || i > borderTries);
         } while (axes > 0);
         // The 48 fetches of a block belong together.
         bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;

@@ -66,8 +66,8 @@ vec4 irradianceOnSurface(vec3 position, vec3 normal, int cascade) {
     ivec3 block = ivec3(voxel) >> VCT_BRICK_LEVEL;
     vec4 sum = vec4(0.0);
     for (int axis = 0; axis < 3; ++axis)
-        sum +=
-            normal[axis] * normal[axis] * irradianceOfFaces(voxel, block, axis, normal[axis] > 0.0 ? 0 : 1);
+        sum += normal[axis] * normal[axis] *
+               irradianceOfFaces(voxel, normal, block, axis, normal[axis] > 0.0 ? 0 : 1);
     return sum;
 }
 

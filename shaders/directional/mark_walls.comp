@@ -30,55 +30,106 @@ Cells cellsAt(ivec3 voxel, ivec3 near) {
     return Cells(texelFetch(staticIndex, voxel, 0).r, hasDynamic ? texelFetch(dynamicIndex, voxel, 0).r : 0u);
 }
 
-// A face whose surface looks along the face's axis. Slanted surfaces have faces along several axes, which are
-// neither walls nor crossed by them.
-struct StraightFace {
-    float coverage;  // 0: there is none
-    float position;  // of the surface along the axis, from the middle of the voxel
+// A face's surface; a coverage of 0 if there is no face.
+struct Surface {
+    float coverage;
+    SurfacePlane plane;
 };
-StraightFace straightFace(Cells cells, int face) {
+Surface surfaceOf(Cells cells, int face) {
     // Walls of the static geometry's list are those without moving objects.
     bool isStatic = list != dynamicList;
-    if (!hasFace(cells.still | (isStatic ? 0u : cells.moving), face)) return StraightFace(0.0, 0.0);
+    if (!hasFace(cells.still | (isStatic ? 0u : cells.moving), face))
+        return Surface(0.0, SurfacePlane(vec3(0.0), 0.0));
     uint id = surfaceId(cells.still, cells.moving, face, isStatic);
-    SurfacePlane plane = facePlane(id);
-    float along = plane.normal[face >> 1], coverage = faceExtent(id).coverage;
-    return StraightFace(((face & 1) == 0 ? along : -along) > 0.9 ? coverage : 0.0, plane.offset / along);
+    return Surface(faceExtent(id).coverage, facePlane(id));
 }
 
-// Writes a wall across `axis` into the words around the face `face` of `voxel`. `from`, `to`: the positions
-// of the wall's two surfaces along the axis, in voxels.
-void mark(ivec3 voxel, int face, int axis, float from, float to) {
-    const float nearWall = 0.1;  // a texel so near to the wall may belong to either side
-    ivec3 along = unitVector(axis);
-    int faceAxis = face >> 1, other = 3 - faceAxis - axis;
-    uint second = axis == (faceAxis + 1) % 3 ? 0u : 1u;
+// Adds a wall to the word of a block's brick. `slot`: the word of the two.
+void markBrick(ivec3 block, int face, int slot, uint word) {
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
-    for (int beside = -1; beside <= 1; ++beside) {
-        // The brick has a border of one texel, and the texels beside the wall may be in the next block.
-        ivec3 block = (voxel >> VCT_BRICK_LEVEL) + beside * along;
-        float first = float(block[axis] * VCT_BRICK_SIDE - 1);
-        float middle = 0.5 * (from + to) - first;
-        if (middle <= 0.5 || middle >= float(VCT_BRICK_TEXELS) - 0.5 ||
-            block != clampToCascade(block, voxel >> VCT_BRICK_LEVEL, blocks))
+    ivec3 texel = faceTexel(block, face >> 1, face & 1, blocks);
+    if (list == dynamicList && imageLoad(brickSlots, texel).r == 0u) return;
+    if (list == dynamicList) imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
+    // A failed attempt means that another wall has changed the word, which only grows. The limit is for
+    // drivers whose comparison never succeeds.
+    ivec3 at = wallTexel(texel, slot, blocks * cascades);
+    uint before = imageLoad(walls, at).r;
+    for (int attempt = 0; attempt < 64 && mergeWalls(before, word) != before; ++attempt) {
+        uint seen = imageAtomicCompSwap(walls, at, before, mergeWalls(before, word));
+        if (seen == before) break;
+        before = seen;
+    }
+}
+
+// Marks a wall that crosses the face `face` of `voxel` mostly along `axis`, in the bricks with texels beside
+// it. `middle`: the plane amid the wall's two surfaces, from the middle of the voxel `wallVoxel`.
+void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle, float thickness) {
+    int faceAxis = face >> 1, other = 3 - faceAxis - axis;
+    float steepness = 1.0 / middle.normal[axis];
+    vec2 slope = -steepness * vec2(middle.normal[other], middle.normal[faceAxis]);
+    // A texel whose middle is in the wall is of neither side. If one side of the wall looks the way of the
+    // faces, it has the faces of all voxels which the wall passes (splitByWall() in
+    // directional/resolve.comp).
+    const float rounding = 0.1, perpendicular = 0.15;
+    float inWall = 0.5 * thickness * abs(steepness);
+    float lean = (face & 1) == 0 ? middle.normal[faceAxis] : -middle.normal[faceAxis];
+    if (middle.normal[axis] < 0.0) lean = -lean;
+    float passed = inWall + 0.5 + 0.5 * (abs(slope.x) + abs(slope.y));
+    float beside = inWall + rounding + 0.5 * abs(slope.x);
+    ThinWall wall = ThinWall(0.0,
+                             lean > perpendicular    ? -passed
+                             : lean < -perpendicular ? passed
+                                                     : beside,
+                             lean > perpendicular    ? passed
+                             : lean < -perpendicular ? -passed
+                                                     : beside,
+                             slope);
+    vec3 wallMiddle = vec3(wallVoxel) + 0.5;
+    float position = wallMiddle[axis] + steepness * middle.offset;  // at the middle of the wall's voxel
+    ivec3 own = voxel >> VCT_BRICK_LEVEL;
+    for (int i = 0; i < 27; ++i) {
+        // Bricks have a border of one texel, and the texels beside the wall may be in the next block.
+        ivec3 block = own + ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+        ivec3 texel = voxel - block * VCT_BRICK_SIDE + 1;
+        texel[axis] = 1;
+        bool isBeside = clamp(texel, ivec3(0), ivec3(VCT_BRICK_TEXELS - 1)) == texel;
+        if (!isBeside || block[other] != own[other]) continue;
+        vec3 first = vec3(block * VCT_BRICK_SIDE - 1);
+        vec3 fromWall = first - wallMiddle;
+        vec2 toTexel = vec2(texel[other], texel[faceAxis]) + 0.5,
+             toWall = -vec2(fromWall[other], fromWall[faceAxis]);
+        float inBrick = position - first[axis] + dot(wall.slope, toTexel - toWall);
+        wall.position =
+            position - first[axis] + dot(wall.slope, vec2(0.5 * float(VCT_BRICK_TEXELS)) - toWall);
+        if (clamp(inBrick, 0.0, float(VCT_BRICK_TEXELS)) != inBrick ||
+            clamp(wall.position, wallPositions.x, wallPositions.y) != wall.position ||
+            block != clampToCascade(block, own, frame.gridSide >> VCT_BRICK_LEVEL))
             continue;
-        ivec3 texel = faceTexel(block, faceAxis, face & 1, blocks);
-        if (list == dynamicList && imageLoad(brickSlots, texel).r == 0u) continue;
-        uint word = uint(middle * wallUnits + 0.5) << (8u * second);
-        word |= layerBits(uint(voxel[other] & (VCT_BRICK_SIDE - 1))) << (16u + 6u * second);
-        float texelMiddle = floor(middle) + 0.5;
-        if (from - first < texelMiddle + nearWall && to - first > texelMiddle - nearWall)
-            word |= 1u << (28u + second);
-        if (list == dynamicList) imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
-        // A failed attempt means that another wall has changed the word, which only gains bits and positions.
-        // The limit is for drivers whose comparison never succeeds.
-        uint before = imageLoad(walls, texel).r;
-        for (int attempt = 0; attempt < 64 && mergeWalls(before, word) != before; ++attempt) {
-            uint seen = imageAtomicCompSwap(walls, texel, before, mergeWalls(before, word));
-            if (seen == before) break;
-            before = seen;
+        markBrick(block, face, axis == (faceAxis + 1) % 3 ? 0 : 1, packWall(wall, uint(texel[other] - 1)));
+    }
+}
+
+// True if a wall crosses faces across `other` rather along `axis` than along the third axis. Along both, one
+// word would be wasted.
+bool isMostlyAlong(vec3 normal, int axis, int faceAxis) {
+    int third = 3 - axis - faceAxis;
+    float difference = abs(normal[axis]) - abs(normal[third]);
+    return axis < third ? difference > -0.05 : difference >= 0.05;
+}
+
+// True if a wall with this normal crosses a surface that a voxel beside it or the one behind has at a face.
+// `voxel`: beside the wall, then the surface's. `near`: in the wall's cascade.
+bool findCrossed(inout ivec3 voxel, int face, vec3 normal, ivec3 near) {
+    ivec3 towards = unitVector(face >> 1) * ((face & 1) == 0 ? 1 : -1);
+    for (int behind = 0; behind < 2; ++behind) {
+        ivec3 at = voxel - behind * towards;
+        Surface surface = surfaceOf(cellsAt(at, near), face);
+        if (surface.coverage > 0.0 && abs(dot(surface.plane.normal, normal)) < 0.7) {
+            voxel = at;
+            return true;
         }
     }
+    return false;
 }
 
 void main() {
@@ -89,36 +140,41 @@ void main() {
         // A wall has two faces, and is found from the one that looks along its axis.
         if (list == 0u && listed.isMerged) continue;
         if ((listed.face & 1) != 0 || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
-        const float minCoverage = 0.25;
+        const float minCoverage = 0.25, minCosine = 0.4;
         int axis = listed.face >> 1;
         Cells cells = cellsAt(listed.voxel, listed.voxel);
-        StraightFace front = straightFace(cells, listed.face);
-        if (front.coverage < minCoverage) continue;
+        Surface front = surfaceOf(cells, listed.face);
+        vec3 normal = front.plane.normal;
+        if (front.coverage < minCoverage || normal[axis] < minCosine) continue;
         // The back is in the same voxel or in the next one.
-        StraightFace back = straightFace(cells, listed.face + 1);
+        Surface back = surfaceOf(cells, listed.face + 1);
         if (back.coverage < minCoverage) {
-            back = straightFace(cellsAt(listed.voxel - unitVector(axis), listed.voxel), listed.face + 1);
+            ivec3 behind = listed.voxel - unitVector(axis);
+            back = surfaceOf(cellsAt(behind, listed.voxel), listed.face + 1);
             if (back.coverage < minCoverage) continue;
-            back.position -= 1.0;
+            back.plane.offset -= back.plane.normal[axis];
         }
         const float sheet = 0.05;  // the planes are rounded
-        float thickness = front.position - back.position;
-        if (thickness < -sheet || thickness > 1.0) continue;
+        float thickness = front.plane.offset + back.plane.offset;
+        if (dot(normal, back.plane.normal) > -0.97 || thickness < -sheet || thickness > 1.0) continue;
+        SurfacePlane middle = SurfacePlane(normal, 0.5 * (front.plane.offset - back.plane.offset));
         // The wall may cross a surface or stand at its edge, so the faces beside it tell.
-        vec2 surfaces = float(listed.voxel[axis]) + 0.5 + vec2(back.position, front.position);
-        for (int i = 0; i < 2; ++i) {
-            ivec3 beside = listed.voxel;
-            beside[axis] = int(floor(surfaces[i] + float(i) - 0.5));
-            Cells besideCells = cellsAt(beside, listed.voxel);
+        vec2 surfaces =
+            float(listed.voxel[axis]) + 0.5 + vec2(-back.plane.offset, front.plane.offset) / normal[axis];
+        for (int side = 0; side < 2; ++side) {
             for (int turn = 2; turn < 6; ++turn) {
-                // The wall stands in the voxel of the face that it crosses, or in the one in front of it.
                 int face = (2 * axis + turn) % 6;
-                ivec3 crossed = beside;
-                if (straightFace(besideCells, face).coverage == 0.0) {
-                    crossed -= (face & 1) == 0 ? unitVector(face >> 1) : -unitVector(face >> 1);
-                    if (straightFace(cellsAt(crossed, listed.voxel), face).coverage == 0.0) continue;
+                if (!isMostlyAlong(normal, axis, face >> 1)) continue;
+                // In the nearest voxel the wall itself may have the face.
+                ivec3 crossed = listed.voxel;
+                for (int step = 0; step < 2; ++step) {
+                    crossed[axis] =
+                        int(floor(surfaces[side] + (side == 0 ? -0.5 - float(step) : 0.5 + float(step))));
+                    if (findCrossed(crossed, face, normal, listed.voxel)) {
+                        mark(crossed, face, axis, listed.voxel, middle, max(thickness, 0.0));
+                        break;
+                    }
                 }
-                mark(crossed, face, axis, surfaces.x, surfaces.y);
             }
         }
     }

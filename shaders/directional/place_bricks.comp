@@ -4,6 +4,7 @@
 #include "directional/face_lists.glsl"
 #include "directional/cascades.glsl"
 #include "directional/voxels.glsl"
+#include "directional/walls.glsl"
 #include "directional/light_step.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -77,9 +78,12 @@ void main() {
         ListedFace listed = listedFace(level, i);
         uint brick = placeOf(listed);
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
-        uint ownWalls = texelFetch(staticWalls, texel, 0).r;
-        if (brick != 0u && ownWalls != 0u) brick |= VCT_BRICK_HAS_WALLS;
+        for (int word = 0; word < 2; ++word) {
+            ivec3 at = wallTexel(texel, word, imageSize(brickSlots).z);
+            uint ownWall = texelFetch(staticWalls, at, 0).r;
+            if (brick != 0u && ownWall != 0u) brick |= VCT_BRICK_HAS_WALLS;
+            imageStore(walls, at, uvec4(ownWall));
+        }
         imageStore(brickSlots, texel, uvec4(brick));
-        imageStore(walls, texel, uvec4(ownWalls));
     }
 }

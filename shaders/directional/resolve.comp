@@ -55,8 +55,9 @@ vec3 nearestNormal(uint staticCell, uint dynamicCell, int face) {
     return unpackPlane(plane).normal;
 }
 
-// If a thin wall crosses a surface, as one that stands on a floor, the face is of the part on the side of the
-// surface's middle. `points`: of the surface.
+// If a thin wall crosses a surface, as one that stands on a floor, the face is of the larger part. But if one
+// side of the wall looks the way of the face, this side may have the same face, so the face is of the part on
+// that side. `points`: of the surface.
 void splitByWall(uint staticCell, uint dynamicCell, int own, SurfacePlane plane, uint points,
                  inout FaceExtent extent) {
     uint others = (staticCell | dynamicCell) & VCT_FACE_MASK & ~(1u << uint(own));
@@ -78,7 +79,9 @@ void splitByWall(uint staticCell, uint dynamicCell, int own, SurfacePlane plane,
             // A surface that ends at the wall has no part on its other side.
             bool ends = ((extent.inFront | extent.behind) & (1u << uint(front) | 1u << uint(back))) != 0u;
             if (ends || before == 0u || behind == 0u) continue;
-            bool isBefore = bitCount(before) >= bitCount(behind);
+            const float perpendicular = 0.15;
+            float lean = (own & 1) == 0 ? one.normal[axis] : -one.normal[axis];
+            bool isBefore = abs(lean) > perpendicular ? lean > 0.0 : bitCount(before) >= bitCount(behind);
             uint mine = isBefore ? before : behind, bit = 1u << uint(isBefore ? front : back);
             extent.inFront |= bit;
             extent.behind |= bit;

@@ -4,8 +4,8 @@
 // Neighbouring faces trace different directions: 4 x 4 of them have the whole set. So the mean over a window
 // of 4 x 4 faces has no noise, but blurs. The window is 5 x 5 faces wide, with half weights at its sides, so
 // that it is centred and each of the 16 kinds of faces has the same weight (interleaved sampling: Keller and
-// Heidrich 2001). The window is the product of two rows: directional/smooth_rows.comp takes the mean along the
-// first axis across the face, and this pass the mean of those along the second.
+// Heidrich 2001). The window is the product of two rows: directional/smooth_rows.comp takes the mean along
+// the first axis across the face, and this pass the mean of those along the second.
 //
 // The refined mean of a face is of many more rays, which leave the spots of small bright surfaces; the
 // smaller window removes these. It is of an earlier light. What is shown is the smooth mean over the cached

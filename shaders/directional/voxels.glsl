@@ -10,6 +10,12 @@ ivec3 faceTexel(ivec3 block, int axis, int side, int blocks) {
 vec2 acrossFaces(vec3 v, int axis) {
     return axis == 0 ? v.yz : axis == 1 ? v.zx : v.xy;
 }
+// The vector with these components across the face and along its axis.
+vec3 fromAcross(vec2 across, float along, int axis) {
+    return axis == 0   ? vec3(along, across)
+           : axis == 1 ? vec3(across.y, along, across.x)
+                       : vec3(across, along);
+}
 
 // Noise in 0..1 per channel, a hash of a voxel and a number (Jarzynski and Olano 2020, pcg).
 vec3 hashNoise(ivec3 voxel, uint number) {

@@ -1,48 +1,61 @@
 // Thin walls across the bricks of face irradiance. Where a thin wall meets a floor, the same voxels hold the
 // floor on both sides of the wall, and the filter of a look-up would carry light from one side to the other.
-// For each brick there is a word with the wall, if any, across each of the two axes of the brick's faces; a
-// look-up beside a wall reads the nearest texel on its own side only (directional/irradiance.glsl).
+// So a look-up beside a wall reads texels of its own side only.
 //
-// The word's fields, from the lowest: 8 bits each for the walls' positions along the first and the second
-// axis, from the brick's first texel in units of 1 / wallUnits texels; a bit for each of the brick's six
-// layers of texels that the first wall crosses, then six bits for the second wall; a bit per wall, set if the
-// texel that holds it belongs to neither side. The outer layers are the borders of the brick and have the
-// bits of the voxels beside them.
-const float wallUnits = 42.0;
+// A brick has two words, each for the wall, if any, that crosses its faces mostly across the first or the
+// second of the axes that the faces span. Walls are planes. The word's fields, from the highest: 9 bits for
+// the wall's position along the axis that it crosses, at the middle of the brick; 4 bits each for how far
+// from the plane, along that axis, the texels above and those below begin that are of one side alone; 5 bits
+// for the change of the position along the other of the two axes, and 6 along the axis that the faces look
+// along; a bit for each of the block's four layers of voxels along the other axis that the wall crosses.
+// Lengths are in texels, which are as large as voxels.
+const vec2 wallPositions = vec2(-2.0, 8.0), wallOtherSlopes = vec2(-1.05, 1.05),
+           wallFaceSlopes = vec2(-2.1, 2.1), wallDistances = vec2(-1.75, 2.0);
 
-// Merges the walls of two words; the order does not matter. Of two walls across the same axis, the one at the
-// larger position stays.
-uint mergeWalls(uint a, uint b) {
-    return ((a | b) & 0x3FFF0000u) | max(a & 0xFFu, b & 0xFFu) | max(a & 0xFF00u, b & 0xFF00u);
-}
-
-// The bits of the layers that show a wall in one of the block's four layers of voxels.
-uint layerBits(uint layer) {
-    return (1u << (layer + 1u)) | (layer == 0u ? 1u : layer == 3u ? 1u << 5 : 0u);
-}
-
-struct WallsBeside {
-    vec2 position;  // in texels from the brick's first one
-    bvec2 crosses;  // the wall crosses the layer
+struct ThinWall {
+    float position, above, below;
+    vec2 slope;  // along the other axis, and along the faces' axis
 };
 
-// The word's walls, and whether they cross the layers of the point `across`.
-WallsBeside wallsBeside(uint word, vec2 across) {
-    uvec2 layer = uvec2(across.yx);
-    return WallsBeside(vec2(word & 0xFFu, word >> 8 & 0xFFu) * (1.0 / wallUnits),
-                       bvec2((word >> (16u + layer.x) & 1u) != 0u, (word >> (22u + layer.y) & 1u) != 0u));
+uint packField(float value, vec2 range, int bits) {
+    float steps = float((1 << bits) - 1);
+    return uint(clamp((value - range.x) / (range.y - range.x), 0.0, 1.0) * steps + 0.5);
+}
+uint packWall(ThinWall wall, uint layer) {
+    return packField(wall.position, wallPositions, 9) << 23 | packField(wall.above, wallDistances, 4) << 19 |
+           packField(wall.below, wallDistances, 4) << 15 | packField(wall.slope.x, wallOtherSlopes, 5) << 10 |
+           packField(wall.slope.y, wallFaceSlopes, 6) << 4 | 1u << layer;
+}
+float unpackField(uint word, int low, int bits, vec2 range) {
+    uint steps = (1u << bits) - 1u;
+    return float(word >> low & steps) * ((range.y - range.x) / float(steps)) + range.x;
 }
 
-// Moves a position in a brick away from the walls of the word, to where the filter reads texels of the
-// position's own side only. `along`: unit vector of the axis that the brick's faces look along.
-vec3 besideWalls(uint word, vec3 inBrick, vec3 along) {
-    vec2 across = vec2(dot(inBrick, along.zxy), dot(inBrick, along.yzx));
-    WallsBeside walls = wallsBeside(word, across);
-    // At the middle of its texel, a wall keeps both sides from reading it.
-    bvec2 keepsOff = bvec2((word & 1u << 28u) != 0u, (word & 1u << 29u) != 0u);
-    vec2 at = mix(walls.position, floor(walls.position) + 0.5, keepsOff);
-    vec4 moved = max(vec4(-across, across), floor(vec4(-at, at) + 0.5) + 0.5);
-    vec2 beside = mix(-moved.xy, moved.zw, greaterThan(across, walls.position));
-    beside = mix(across, beside, walls.crosses);
-    return inBrick * along + beside.x * along.zxy + beside.y * along.yzx;
+// Merges two words of a brick; the order does not matter. Of two walls, the one at the larger position stays.
+uint mergeWalls(uint a, uint b) {
+    return max(a & ~15u, b & ~15u) | (a | b) & 15u;
+}
+
+// The texel of a brick's word. `depth`: of the texture of bricks, behind which the second words follow.
+ivec3 wallTexel(ivec3 brickTexel, int word, int depth) {
+    return brickTexel + ivec3(0, 0, word * depth);
+}
+
+// Moves a position in a brick to where the filter reads texels of the position's own side of a wall. The
+// components of `position`, `moved` and the surface's normal are along the axis that the wall mostly crosses,
+// along the other of the two axes that the faces span, both in texels from the brick's first one, and along
+// the axis that the faces look along.
+vec3 besideWall(uint word, vec3 position, vec3 moved, vec3 normal) {
+    // Walls are known to a tenth of a texel. On a wall itself the normal tells the side.
+    const float tolerance = 0.3;
+    if ((word >> (uint(position.y) - 1u & 3u) & 1u) == 0u) return moved;
+    vec2 slope = vec2(unpackField(word, 10, 5, wallOtherSlopes), unpackField(word, 4, 6, wallFaceSlopes));
+    float wall = unpackField(word, 23, 9, wallPositions) + dot(slope, position.yz - 3.0);
+    bool isAbove = position.x + tolerance * (normal.x - dot(slope, normal.yz)) > wall;
+    float sign = isAbove ? 1.0 : -1.0, distance = unpackField(word, isAbove ? 19 : 15, 4, wallDistances);
+    float nearest = ceil(sign * wall + distance - 0.5) + 0.5;
+    float aside = clamp(sign * max(sign * position.x, nearest), 0.5, 5.5) - position.x;
+    // It stays on the surface.
+    float steepness = clamp(-normal.x / (abs(normal.z) > 0.1 ? normal.z : 0.1), -2.0, 2.0);
+    return moved + aside * vec3(1.0, 0.0, steepness);
 }

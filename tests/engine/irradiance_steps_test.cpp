@@ -105,12 +105,17 @@ TEST(Irradiance, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
             EXPECT_NEAR(other.light[c], face.light[c], 0.003 * face.light[c] + 1e-5);
     }
     EXPECT_LE(differing, 50);
-    // The bricks have other places, where texel coordinates round differently.
+    // The bricks have other places, where texel coordinates round differently, and a pixel at a wall's edge
+    // may take the next texel.
+    int moved = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(otherPicture.pixels[i][c], picture.pixels[i][c],
-                        0.005F * picture.pixels[i][c] + 1e-4F)
-                << "pixel " << i;
+        for (int c = 0; c < 3; ++c) {
+            const float value = picture.pixels[i][c],
+                        difference = std::abs(otherPicture.pixels[i][c] - value);
+            ASSERT_LE(difference, 0.02F * value + 1e-4F) << "pixel " << i;
+            moved += difference > 0.005F * value + 1e-4F ? 1 : 0;
+        }
+    EXPECT_LE(moved, 6);
 }
 
 double brightness(const IrradianceByFace& faces) {

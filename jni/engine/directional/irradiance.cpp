@@ -360,8 +360,9 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     if (bricks_) return;
     const glm::ivec3 size = blocksSize(voxels);
     bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, size.x, size.y, size.z, 1);
-    walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, size.x, size.y, size.z, 1);
-    staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, size.x, size.y, size.z, 1);
+    // A brick has two words for walls.
+    walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, size.x, size.y, 2 * size.z, 1);
+    staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, size.x, size.y, 2 * size.z, 1);
 }
 
 void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const {
