@@ -29,7 +29,7 @@ void main() {
         uint at = sumsAt(faceId(cell, face));
         float side = (fronts >> uint(face) & 1u) != 0u ? 1.0 : -1.0, weight = abs(coverage[face >> 1]);
         float front = 0.5 + ((face & 1) == 0 ? fromMiddle[face >> 1] : -fromMiddle[face >> 1]);
-        // Where two surfaces meet, the one that looks towards the face has it.
+        // Two surfaces may have the face. The one that looks towards it counts.
         float key = nearness * (0.4 + 0.6 * abs(normal[face >> 1]));
         atomicMax(faceSumData[at + VCT_FACE_PLANE], packPlane(key, curved, side * normal, side * offset));
         atomicMax(faceSumData[at + VCT_FACE_FRONT],
