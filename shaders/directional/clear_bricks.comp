@@ -1,5 +1,5 @@
-// Clears the locations of the bricks of face irradiance, and the static walls of cascades that have moved. The
-// bricks themselves are cleared where they are placed.
+// Clears the locations of the bricks of face irradiance, and the static walls of cascades that have moved.
+// The bricks themselves are cleared where they are placed.
 #include "directional/cascades.glsl"
 #include "shared/commands.glsl"
 

@@ -1,7 +1,7 @@
 // Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks: a flat one
 // if the block's faces of that direction are in one layer. Clears the brick, because fill_bricks.comp writes
-// the texels of faces only. The brick's walls are the static ones, until mark_walls.comp adds those of dynamic
-// objects.
+// the texels of faces only. The brick's walls are the static ones, until mark_walls.comp adds those of
+// dynamic objects.
 #include "directional/face_lists.glsl"
 #include "directional/cascades.glsl"
 #include "directional/voxels.glsl"
