@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr int frames = 200;
+constexpr int frames = 100;
 constexpr std::size_t shown = 40;
 
 // The place of the object of a frame, on a ring, a little farther than the one before.

@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -39,6 +42,31 @@ std::vector<std::string> separated(const std::string& text) {
     for (std::string part; std::getline(stream, part, ',');)
         parts.push_back(part);
     return parts.empty() ? std::vector<std::string>{text} : parts;
+}
+
+// A part of the scene in the same bounds whose frames need the same programs and less time: what emits light,
+// and the smallest instance of each other kind.
+Scene smallPart(const Scene& scene) {
+    std::map<std::tuple<unsigned, bool, bool, bool>, std::pair<double, Instance>> smallest;
+    Scene part = scene;
+    part.instances.clear();
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+        const unsigned features = materialFeatures(material);
+        if ((features & featureEmissive) != 0) {
+            part.instances.push_back(instance);
+            continue;
+        }
+        const Bounds bounds = boundsOf(cornersOf(mesh), instance.worldFromObject);
+        const double extent = glm::length(bounds.max - bounds.min);
+        const auto [known, isNew] = smallest.try_emplace(
+            {features, material.isGlossy(), instance.moves(), instance.deforms}, extent, instance);
+        if (!isNew && extent < known->second.first) known->second = {extent, instance};
+    }
+    for (const auto& [kind, found] : smallest)
+        part.instances.push_back(found.second);
+    return part;
 }
 
 // The value of method.gpu_counters in the files.
@@ -164,7 +192,8 @@ bool BenchRun::linkNext() {
 }
 
 // Some drivers compile a program when it is first used. In a frame of a measurement's size that would take
-// the time of a frame besides, and an interrupted frame is rendered again for each program.
+// the time of a frame besides, and an interrupted frame is rendered again for each program. So these frames
+// are small, and show a part of the scene.
 bool BenchRun::useNext() {
     if (run_ < usedRuns_ || run_ >= runs_.size()) return false;
     if (!small_) {
@@ -172,7 +201,7 @@ bool BenchRun::useNext() {
         settings.size = glm::ivec2(24);  // not a power of two, for which llvmpipe compiles other code
         settings.grid = std::min(settings.grid, 64);
         settings.shadowMapSize = std::min(settings.shadowMapSize, 64);
-        small_.emplace(*input_.scene, input_.light, settings, input_.capabilities, input_.shaders,
+        small_.emplace(smallPart(*input_.scene), input_.light, settings, input_.capabilities, input_.shaders,
                        input_.programs);
         smallFrames_ = 0;
         return true;

@@ -1,6 +1,7 @@
 // Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks: a flat one
-// if the block's faces of that direction are in one layer. The brick's walls are the static ones, until
-// mark_walls.comp adds those of dynamic objects.
+// if the block's faces of that direction are in one layer. Clears the brick, because fill_bricks.comp writes
+// the texels of faces only. The brick's walls are the static ones, until mark_walls.comp adds those of
+// dynamic objects.
 #include "directional/face_lists.glsl"
 #include "directional/cascades.glsl"
 #include "directional/voxels.glsl"
@@ -8,6 +9,7 @@
 #include "directional/light_step.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
+layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
 layout(r32ui, binding = VCT_IMAGE_WALLS) writeonly uniform highp uimage3D walls;
 layout(binding = VCT_TEX_WALLS) uniform highp usampler3D staticWalls;
@@ -71,12 +73,22 @@ uint placeOf(ListedFace listed) {
                                   slot / (along * along) * uint(VCT_BRICK_TEXELS) + texel));
 }
 
+void clearBrick(uint brick) {
+    ivec3 first = firstTexel(brick);
+    int layers = (brick & VCT_BRICK_IS_FLAT) != 0u ? 1 : VCT_BRICK_TEXELS;
+    for (int z = 0; z < layers; ++z)
+        for (int y = 0; y < VCT_BRICK_TEXELS; ++y)
+            for (int x = 0; x < VCT_BRICK_TEXELS; ++x)
+                imageStore(irradianceTexels, first + ivec3(x, y, z), vec4(0.0));
+}
+
 void main() {
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         ListedFace listed = listedFace(level, i);
         uint brick = placeOf(listed);
+        if (brick != 0u) clearBrick(brick);
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
         for (int word = 0; word < 2; ++word) {
             ivec3 at = wallTexel(texel, word, imageSize(brickSlots).z);

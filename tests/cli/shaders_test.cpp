@@ -15,7 +15,8 @@ namespace {
 
 TEST(Shaders, AreWrittenAndCountedForEveryPreset) {
     ProgramRun program;
-    program.expectSuccess(std::string("shaders ") + ProgramRun::cornell + " --out out --size 32x32");
+    program.expectSuccess(std::string("shaders ") + ProgramRun::cornell +
+                          " --out out --size 32x32 --grid 64");
     const std::filesystem::path out = program.folder.file("out");
     const auto manifest = nlohmann::json::parse(readBytes((out / "manifest.json").string()));
     EXPECT_EQ(manifest.at("width"), 32);

@@ -83,16 +83,18 @@ struct Emitter {
     const char* name;
     glm::dvec3 corner, u, v;
     Deviation bound;
+    bool turns;  // also tested in a scene that is turned
 };
-const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.035, 0.055}},
-                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.018, 0.033}},
-                            {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.013, 0.017}},
-                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.01, 0.15}}};
+const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.035, 0.055}, true},
+                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.018, 0.033}, false},
+                            {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.013, 0.017}, false},
+                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.01, 0.15}, true}};
 
 TEST(Gather, AFloorReceivesTheFormFactorOfAnEmitter) {
     const Context context = openContext(Backend::egl);
     for (const Emitter& e : emitters)
         for (const double turnDeg : {0.0, 30.0}) {
+            if (turnDeg != 0.0 && !e.turns) continue;
             SCOPED_TRACE(turnDeg);
             Scene scene = emptyScene();
             addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
@@ -150,7 +152,7 @@ TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
     scene = finished(std::move(scene));
     for (const int grid : {64, 128}) {
         Settings settings = mobileAt(4 * pictureSide);
-        settings.gather.refinedDirections = 1024;
+        settings.gather.refinedDirections = 512;
         settings.gather.rays = 64;
         settings.grid = grid;
         settings.skyRadiance = glm::vec3(1.0F);

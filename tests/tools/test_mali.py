@@ -72,6 +72,7 @@ def loops(*entries):
     (loops((0, 5, "c"), (1, 20, "c")), [], []),
     ([], [], []),
     (loops((0, 6), (0, 9)), [0, 0, 0, 0], [0, 1, 0, 1]),  # a function that is called twice
+    (loops((0, 6), (1, 9), (2, 12), (2, 3)), [0, 1, 2, 1], [0, 1, 2, 3]),  # a `return` follows the last
 ])
 def test_compiled_loops_are_matched(source, compiled, matched):
     assert match_loops(source, compiled) == matched

@@ -66,6 +66,13 @@ def copies(source: list[Node], compiled: list[Node], loops: Sequence[Loop]) -> I
                 yield match
 
 
+def left_by_return(depths: Sequence[int]) -> Iterator[list[int]]:
+    """The depths if the compiler has moved a loop out of the one around it, as it may if that ends with the loop and a `return`."""
+    for index, depth in enumerate(depths):
+        if depth > 0 and (index + 1 == len(depths) or depths[index + 1] < depth):
+            yield [*depths[:index], depth - 1, *depths[index + 1:]]
+
+
 def foldable(loops: Sequence[Loop], invocations: float) -> list[Loop]:
     """The loops, where the compiler may also have removed one that ran never or once for each entry, or one call's of several."""
     path: list[Loop] = []
@@ -86,9 +93,10 @@ def match_loops(loops: Sequence[Loop], compiled_depths: Sequence[int], invocatio
     fixed = [loop["constant"] for loop in loops]
     loops = foldable(loops, invocations)
     depths = [loop["depth"] for loop in loops]
-    source, compiled = tree(depths), tree(compiled_depths)
+    compiled = tree(compiled_depths)
     # A function that is inlined at several places has its loops as often.
-    readings = list(matches(source, compiled, loops)) or list(copies(source, compiled, loops))
+    readings = list(matches(tree(depths), compiled, loops)) or list(copies(tree(depths), compiled, loops)) or [
+        match for moved in left_by_return(depths) for match in matches(tree(moved), compiled, loops)]
     if not readings:
         raise Failed(f"loops of depths {list(compiled_depths)} cannot be those of the source, {depths}: is one of them "
                      "not read (jni/lab/shader_loops.cpp)?")

@@ -352,17 +352,19 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(slots, 1U))));
     const std::uint32_t layer = bricksAlong_ * bricksAlong_;
     const std::uint32_t layers = std::max((slots + layer - 1) / layer, 1U);
-    irradianceSize_ = VCT_BRICK_TEXELS * glm::ivec3(bricksAlong_, bricksAlong_, layers);
-    irradiance_ = gl::Texture::make3d("irradiance", GL_RGBA16F, irradianceSize_.x, irradianceSize_.y,
-                                      irradianceSize_.z, 1);
+    const glm::ivec3 size = VCT_BRICK_TEXELS * glm::ivec3(bricksAlong_, bricksAlong_, layers);
+    irradiance_ = gl::Texture::make3d("irradiance", GL_RGBA16F, size.x, size.y, size.z, 1);
     irradiance_->setFilter(GL_LINEAR, GL_LINEAR);
+    // Filtering in a flat brick may also fetch the texels beside it, with a weight of 0. These may be of no
+    // brick, but have to be numbers.
+    gl::clearTexture3d(*irradiance_, size.z);
     placesBricks_ = true;
     if (bricks_) return;
-    const glm::ivec3 size = blocksSize(voxels);
-    bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, size.x, size.y, size.z, 1);
+    const glm::ivec3 faces = blocksSize(voxels);
+    bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, faces.x, faces.y, faces.z, 1);
     // A brick has two words for walls.
-    walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, size.x, size.y, 2 * size.z, 1);
-    staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, size.x, size.y, 2 * size.z, 1);
+    walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
+    staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
 }
 
 void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const {
@@ -409,18 +411,18 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
 
 void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const {
     clearBricks_.use();
-    irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
     staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
-    const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels)) + 7) / 8;
-    gl::DispatchCompute(groups.x, groups.y, 1);
+    const glm::uvec3 groups = (blocksSize(voxels) + 3) / 4;
+    gl::DispatchCompute(groups.x, groups.y, groups.z);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
     if (moved != 0) markWalls(voxels, 0, *staticWalls_, moved);
     placeBricks_.use();
     staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
+    irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, VCT_BRICK_LEVEL);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

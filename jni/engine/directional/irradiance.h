@@ -144,7 +144,6 @@ class Irradiance {
     bool showsVisibility_ = false;  // the bricks have ambient visibility
     gl::Buffer uniforms_, faceIrradiance_;
     std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_;
-    glm::ivec3 irradianceSize_{0};
     FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
     std::uint32_t fullBricks_ = 0, flatBricks_ = 0;  // room for so many
