@@ -52,6 +52,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             add(Step::voxelize, unlistStaticProgram(emission));
             add(Step::voxelize, scrollProgram(emission));
             add(Step::voxelize, listFreeProgram());
+            add(Step::voxelize, listFreshProgram());
             add(Step::voxelize, listBlocksProgram());
         }
         for (unsigned f : features.materialFeatures) {
@@ -75,6 +76,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             if (features.movingObjects || settings.revoxelize || settings.cascades > 1)
                 addRays({"carry_over", "carry_hits"});
             if (settings.cascades > 1) addRays({"forward_hits", "list_visited"});
+            if (settings.cascades > 1) add(Step::irradiance, lightProgram("list_unlinked", lights));
             if (features.movingObjects) addRays({"block"});
         }
     } else if (read.voxels) {

@@ -1,7 +1,7 @@
 // Gives the faces of dynamic objects in a new pose the light and the hits of the last pose: those of the same
 // face, or else of a neighbouring one, dynamic in the last pose or static. If cascades have moved with the
-// camera, static faces come first: those that are new to a cascade take over the light of a coarser one,
-// without its hits. carry_hits.comp follows.
+// camera, static faces come first: those that are new to a cascade (list_fresh.comp) take over the light of a
+// coarser one, that of emitters as well, without its hits. carry_hits.comp follows.
 #include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
@@ -40,15 +40,16 @@ uint litFace(uint cell, int face) {
 }
 
 void main() {
-    uint count = faceCount(list);
+    bool isStatic = list == 0u;
+    uint count = faceCount(isStatic ? uint(VCT_LIST_VISITED) : list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+    for (uint n = gl_GlobalInvocationID.x; n < count; n += stride) {
+        uint i = isStatic ? faceData[commands[VCT_LIST_VISITED].firstFace + n] : n;
         ListedFace listed = listedFace(list, i);
         uint id = commands[list].firstId + i;
-        if (list == 0u && (listed.isMerged || !isFresh(id))) continue;
         LastPlace last = lastPlaceOf(listed.voxel);
         uint from = litFace(texelFetch(previousIndex, last.voxel, 0).r, listed.face);
-        bool isSame = list != 0u && from != 0u && last.isSame;
+        bool isSame = !isStatic && from != 0u && last.isSame;
         for (int n = 0; n < 27 && from == 0u; ++n) {
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
@@ -66,19 +67,27 @@ void main() {
         }
         for (uint word = VCT_MEAN_SKY; word < VCT_MEAN_SKY_NOW; ++word) {
             uint value = faceIrradianceData[old + word];
-            faceIrradianceData[to + word] = from != 0u ? value : 0u;
+            faceIrradianceData[to + word] = from != 0u && !isStatic ? value : 0u;
         }
+        // The rays of a new static face are unknown, but those of the coarser one tell how near surfaces are.
+        if (isStatic) storeFaceMean(id, VCT_MEAN_SKY_NOW, vec4(0.0));
         uint sight = faceIrradianceData[old + VCT_FACE_SIGHT];
-        faceIrradianceData[to + VCT_FACE_SIGHT] = from != 0u ? sight : 0u;
+        faceIrradianceData[to + VCT_FACE_SIGHT] = from == 0u ? 0u : isStatic ? sight & 0xFFFFu : sight;
         for (uint word = VCT_FACE_BLOCKED + 1u; word < VCT_IRRADIANCE_WORDS; ++word)
             faceIrradianceData[to + word] = 0u;
+#ifdef VCT_EMITTERS
+        if (isStatic && from != 0u) takeEmitterIrradiance(id, from - 1u);
+#endif
         if (isSame) faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
-        if (list == 0u)
+        if (isStatic) {
             faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
-        else
+            for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad)
+                storeCachedHits(id, quad, uvec4(VCT_HIT_UNKNOWN));
+        } else {
             faceIrradianceData[forwardAt(id)] = 0u;
+        }
         faceData[radianceAt(id)] = from != 0u ? faceData[radianceAt(from - 1u)] : 0u;
         // carry_hits.comp finds the face whose hits it copies in place of the first hit.
-        if (list != 0u) storeCachedHit(id, 0u, from);
+        if (!isStatic) storeCachedHit(id, 0u, from);
     }
 }

@@ -27,6 +27,14 @@ bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
     return false;
 }
 
+// After a move of cascades, faces that have taken over the light of a coarser one take turns.
+bool isDue(uint id) {
+    if (lightStep.emitterTurns == 1u) return true;
+    float known = faceMean(id, VCT_FACE_EMITTERS).a;
+    bool isInTurn = (id >> 5u) % lightStep.emitterTurns == lightStep.frame % lightStep.emitterTurns;
+    return known == emittersUnknown || known == emittersOfCoarser && isInTurn;
+}
+
 void main() {
     uint count = visitedFaceCount(), firstDynamic = commands[dynamicList].firstId;
     uint dynamicCount = faceCount(dynamicList);
@@ -34,7 +42,7 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
-        if (listed.isMerged) continue;
+        if (listed.isMerged || !isDue(id)) continue;
         SurfacePlane plane = facePlane(id);
         int cascade = cascadeOf(listed.voxel);
         vec3 start =
@@ -62,6 +70,6 @@ void main() {
             }
             sum += share * seen.light;
         }
-        storeFaceMean(id, VCT_FACE_EMITTERS, vec4(sum, 0.0));
+        storeFaceMean(id, VCT_FACE_EMITTERS, vec4(sum, emittersKnown));
     }
 }

@@ -49,13 +49,17 @@ uint reserveFaces(uint list, uint count) {
     return first;
 }
 
-// Static ids have two bits each: set if the id may be used again, and if its face has no light yet
-// (directional/carry_over.comp).
+// Static ids have three bits each: set if the id may be used again, if its face has no light yet
+// (directional/carry_over.comp), and if a face is gone whose id cached hits still have
+// (directional/forward_hits.comp).
 uint freeAt(uint id) {
     return commands[0].firstMask + id / 32u;
 }
 uint freshAt(uint id) {
     return freeAt(id) + (commands[0].faceCapacity + 31u) / 32u;
+}
+uint goneAt(uint id) {
+    return freshAt(id) + (commands[0].faceCapacity + 31u) / 32u;
 }
 bool isFresh(uint id) {
     return (faceData[freshAt(id)] >> (id & 31u) & 1u) != 0u;

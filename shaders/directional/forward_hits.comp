@@ -1,52 +1,59 @@
 // After cascades have moved, lets the cached rays of static faces whose hits are gone hit the faces of the
-// next cascade in their place. Rays for which there is none are unknown, and so are all rays of new faces.
-// Only with cascades.
+// next cascade in their place. Rays for which there is none are unknown. The faces take turns, one of which
+// comes in each step, because a face that is gone keeps its radiance until its id is used again. Only with
+// cascades.
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade
+layout(location = VCT_UNIFORM_TURNS) uniform uint turns;     // 1: all faces
 
-// The hit now, or VCT_HIT_UNKNOWN.
-uint hitNow(uint hit, bool isNew) {
-    uint code = hit & ~VCT_HIT_NEAR;
-    if (isNew) return VCT_HIT_UNKNOWN;
-    if (code < VCT_HIT_FACE || !isGone(code - VCT_HIT_FACE)) return hit;
-    uint instead = faceInstead(code - VCT_HIT_FACE);
+// True if the static face that a ray has hit is gone. One bit tells it, so that a cache holds those of all
+// faces.
+bool isLost(uint hit) {
+    uint id = (hit & ~VCT_HIT_NEAR) - VCT_HIT_FACE;  // a large number if the ray has hit no face
+    if (id >= commands[0].faceCapacity) return false;
+    return (faceData[goneAt(id)] >> (id & 31u) & 1u) != 0u;
+}
+
+// The hit in place of one that is gone, or VCT_HIT_UNKNOWN.
+uint hitInstead(uint hit) {
+    uint instead = faceInstead((hit & ~VCT_HIT_NEAR) - VCT_HIT_FACE);
     return instead == 0u ? VCT_HIT_UNKNOWN : VCT_HIT_FACE + instead - 1u | hit & VCT_HIT_NEAR;
 }
 
-uint unknownOf(uvec4 hits) {
-    return uint(hits.x == VCT_HIT_UNKNOWN) + uint(hits.y == VCT_HIT_UNKNOWN) +
-           uint(hits.z == VCT_HIT_UNKNOWN) + uint(hits.w == VCT_HIT_UNKNOWN);
-}
-
 void main() {
-    uint count = faceCount(0u);
-    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
+    const uint size = uint(VCT_LIST_GROUP);
+    uint count = faceCount(0u), turn = lightStep.frame % turns;
+    for (uint group = gl_WorkGroupID.x * turns + turn; group * size < count;
+         group += gl_NumWorkGroups.x * turns) {
+        uint id = group * size + gl_LocalInvocationIndex;
+        if (id >= count) break;
         ListedFace listed = baseFace(id);
-        // A ray does not meet cascades that are finer than that of its face.
-        if (listed.isMerged || cascadeOf(listed.voxel) > findMSB(moved)) continue;
-        bool isNew = isFresh(id);
+        // A ray does not meet cascades that are finer than that of its face. New faces have no hits.
+        if (listed.isMerged || cascadeOf(listed.voxel) > findMSB(moved) || isFresh(id)) continue;
         uint lost = 0u;
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
             uvec4 hits = cachedHits(id, quad);
-            uvec4 now = uvec4(hitNow(hits.x, isNew), hitNow(hits.y, isNew), hitNow(hits.z, isNew),
-                              hitNow(hits.w, isNew));
-            if (hits == now) continue;
-            storeCachedHits(id, quad, now);
-            lost += unknownOf(now) - unknownOf(hits);
+            bvec4 gone = bvec4(isLost(hits.x), isLost(hits.y), isLost(hits.z), isLost(hits.w));
+            if (!any(gone)) continue;
+            for (int i = 0; i < 4; ++i) {
+                if (!gone[i]) continue;
+                hits[i] = hitInstead(hits[i]);
+                lost += uint(hits[i] == VCT_HIT_UNKNOWN);
+            }
+            storeCachedHits(id, quad, hits);
         }
-        if (lost == 0u && !isNew) continue;
+        if (lost == 0u) continue;
         faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
         // Hits that are lost were of faces. The sky's share of the mean grows, as that of the other
         // rays.
         FaceSight sight = faceSight(id);
-        uint known = isNew ? 0u : sight.rays - min(lost, sight.rays);
+        uint known = sight.rays - min(lost, sight.rays);
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * (known == 0u ? 0.0 : float(sight.rays) / float(known));
         storeFaceMean(id, VCT_MEAN_SKY, sky);
         storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);
-        storeFaceSight(id, FaceSight(sight.nearness, isNew ? 0u : sight.backs, known));
+        storeFaceSight(id, FaceSight(sight.nearness, sight.backs, known));
     }
 }

@@ -1,11 +1,11 @@
 // Finds which faces beside each face are of the same surface and of the same side of all walls, so that the
-// smoothing may take the mean over them (directional/beside_faces.glsl). It runs when a cascade or an object
-// has moved.
+// smoothing may take the mean over them (directional/beside_faces.glsl). It runs when an object has moved,
+// or, for the faces of list_unlinked.comp, a cascade.
 #include "directional/rows.glsl"
+#include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(location = VCT_UNIFORM_CASCADES) uniform uint changed;  // a bit per cascade
 
 // A face's surface.
 struct Surface {
@@ -64,14 +64,12 @@ uint linksAlong(Row row, Surface surface, int face) {
 }
 
 void main() {
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
-        bool isStatic = id < commands[0].faceCapacity;
-        bool isChanged = !isStatic || (changed >> uint(cascadeOf(listed.voxel)) & 1u) != 0u;
-        if (listed.isMerged || !isChanged) continue;
+        if (listed.isMerged) continue;
         SurfacePlane plane = facePlane(id);
         Surface surface =
             Surface(surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id)), plane.normal);

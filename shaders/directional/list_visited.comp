@@ -3,13 +3,17 @@
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
+layout(location = VCT_UNIFORM_TURNS) uniform uint turnsLeft;  // of forward_hits.comp
 
 void main() {
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
         // All faces have light now. The first of the ids that share a word clears it.
-        if ((id & 31u) == 0u) faceData[freshAt(id)] = 0u;
+        if ((id & 31u) == 0u) {
+            faceData[freshAt(id)] = 0u;
+            if (turnsLeft == 0u) faceData[goneAt(id)] = 0u;
+        }
         uint changed = faceIrradianceData[changedAt(id)];
         if (changed == 0u || changed < lightStep.visitsSince || baseFace(id).isMerged) continue;
         uint i = reserveFaces(uint(VCT_LIST_VISITED), 1u);

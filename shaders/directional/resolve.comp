@@ -1,7 +1,8 @@
 // Writes the surface and the material of each base-level face from its sums, after a pose has been voxelized.
 // A face that static and dynamic geometry share has two ids: at the static one are both together, and at the
-// dynamic one is the static geometry alone, for rays whose hits are kept while objects move.
-#include "directional/face_lists.glsl"
+// dynamic one is the static geometry alone, for rays whose hits are kept while objects move. In a scene with
+// cascades in which nothing moves, it visits the faces that have no light yet; the others stay as they are.
+#include "directional/visited.glsl"
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -95,16 +96,14 @@ void splitByWall(uint staticCell, uint dynamicCell, int own, SurfacePlane plane,
 }
 
 void main() {
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount();
     bool hasDynamic = faceCount(dynamicList) > 0u;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
         bool isStatic = id < commands[0].faceCapacity;
         if (listed.isMerged && isStatic) continue;  // no face has the id
-        // As long as no object touches it, a static face stays as it is.
-        if (VCT_CASCADES > 1 && isStatic && frame.hasDynamicObjects == 0 && !isFresh(id)) continue;
         int axis = listed.face >> 1;
         uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;

@@ -1,6 +1,7 @@
-// Lists the static voxels that the cascades still hold after they have moved. Their faces keep their ids. The
-// ids of the other faces are free from the next move on; until then they lead to the face of the next cascade
-// in the same place (faceInstead()). Only with cascades.
+// Lists the static voxels that the cascades still hold after they have moved, of those that
+// unlist_static.comp has found. Their faces keep their ids. The ids of the other faces are free from the next
+// move on; until then they lead to the face of the next cascade in the same place (faceInstead()), and keep
+// their radiance. Only with cascades.
 #include "directional/block_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -28,44 +29,42 @@ uint idInNextCascade(ivec3 voxel, int own, int face) {
 }
 
 void main() {
-    uint total = faceCount(0u), list = commands[0].firstFace;
+    uint count = faceCount(uint(VCT_LIST_VISITED)), total = faceCount(0u), list = commands[0].firstFace;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint id = gl_GlobalInvocationID.x; id < total; id += stride) {
-        uint entry = faceData[list + id];
-        if (entry == VCT_FREE_FACE) {
-            if (!isFree(id)) atomicOr(faceData[freeAt(id)], 1u << (id & 31u));
-            continue;
-        }
-        if ((entry & VCT_FIRST_FACE) == 0u) continue;
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        uint id = faceData[commands[VCT_LIST_VISITED].firstFace + i], entry = faceData[list + id];
         ivec3 voxel = unpackListed(entry).voxel;
         int own = cascadeOf(voxel);
         ivec3 now = voxel - unpackShift(shifts[own]);
         bool stays = now == clampToCascade(now, voxel, frame.gridSide);
         // The other faces of the voxel follow, without the mark of a first face.
-        uint faces = 0u, count = 0u;
+        uint faces = 0u, size = 0u;
         do {
             int face = int(unpackFace(entry));
             faces |= 1u << uint(face);
             if (stays) {
-                storeListed(0u, id + count, now, face, entry & VCT_FIRST_FACE);
+                storeListed(0u, id + size, now, face, entry & VCT_FIRST_FACE);
             } else {
-                faceData[list + id + count] = VCT_FREE_FACE;
-                faceData[faceAt(id + count) + VCT_FACE_INSTEAD] = idInNextCascade(now, own, face);
+                faceData[list + id + size] = VCT_FREE_FACE;
+                faceData[faceAt(id + size) + VCT_FACE_INSTEAD] = idInNextCascade(now, own, face);
             }
-            if (!stays || rebuilds != 0u) clearSums(id + count);
-            ++count;
-            entry = id + count < total ? faceData[list + id + count] : VCT_FREE_FACE;
-        } while (count < 6u && (entry & VCT_FIRST_FACE) == 0u);
+            if (!stays || rebuilds != 0u) clearSums(id + size);
+            ++size;
+            entry = id + size < total ? faceData[list + id + size] : VCT_FREE_FACE;
+        } while (size < 6u && (entry & VCT_FIRST_FACE) == 0u);
         if (stays) {
             appendVoxel(0u, uvec3(now));
-            if (now == voxel) continue;
             imageStore(index, now, uvec4(packCell(id, faces)));
             markInBlock(now, faces, false);
             uint shift, at = maskAt(now >> VCT_BRICK_LEVEL, shift);
             atomicOr(faceData[at], faces << shift);
-        } else {
-            for (uint word = 0u; word < 2u; ++word)
-                atomicAnd(faceData[freshAt(id) + word], ~bitsOfIds(id, count, word));
+            continue;
+        }
+        for (uint word = 0u; word < 2u; ++word) {
+            uint bits = bitsOfIds(id, size, word);
+            if (bits == 0u) continue;
+            atomicAnd(faceData[freshAt(id) + word], ~bits);
+            atomicOr(faceData[goneAt(id) + word], bits);
         }
     }
 }

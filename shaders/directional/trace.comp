@@ -6,11 +6,13 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-// The next ray of a face that has not been traced, from `d` on.
+// The next ray of a face that has not been traced, from `d` on and around. The face has one.
 uint nextUnknown(uint id, uint d) {
-    while (d < uint(VCT_DIRECTIONS) && cachedHit(id, d) != VCT_HIT_UNKNOWN)
-        ++d;
-    return d;
+    for (uint n = 0u; n < uint(VCT_DIRECTIONS); ++n, ++d) {
+        d %= uint(VCT_DIRECTIONS);
+        if (cachedHit(id, d) == VCT_HIT_UNKNOWN) return d;
+    }
+    return uint(VCT_DIRECTIONS);
 }
 
 // Traces a cached ray of a face, and replaces what it has hit before in the means over the rays.
@@ -78,7 +80,8 @@ void main() {
         uint number = isDynamic ? again : min(lightStep.rays, unknown);
         if (number == 0u) continue;
         uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
-        uint d = isDynamic ? lightStep.frame * again : 0u;
+        // The rays of a static face become known in this order, unless it has lost some.
+        uint d = isDynamic ? lightStep.frame * again : uint(VCT_DIRECTIONS) - unknown;
         for (uint r = 0u; r < number; ++r, ++d) {
             d = isDynamic ? d % uint(VCT_DIRECTIONS) : nextUnknown(id, d);
             if (d >= uint(VCT_DIRECTIONS)) break;

@@ -1,23 +1,55 @@
-// Removes the static faces of cascades that have moved from the index and from the blocks, before scroll.comp
-// lists them where they are now. Only with cascades.
+// Removes the static faces of cascades that have moved from the index and from the blocks, and lists the
+// first one of each of their voxels for scroll.comp, in VCT_LIST_VISITED. The voxels of the other cascades
+// are listed where they are. The ids without a face may be used from now on. Only with cascades.
 #include "directional/block_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade
 
+bool isMoved(uint entry) {
+    return (moved >> uint(cascadeOf(unpackListed(entry).voxel)) & 1u) != 0u;
+}
+bool isFirst(uint entry) {
+    return entry != VCT_FREE_FACE && (entry & VCT_FIRST_FACE) != 0u;
+}
+
+// An invocation appends the voxels that it finds together, because atomic operations on one word take long.
+const uint perInvocation = 16u;
+
 void main() {
-    uint count = faceCount(0u);
-    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
-        ListedFace listed = baseFace(id);
-        if (listed.isMerged || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
-        ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
-        uint bits = blockWords(block, listed.face, false);
-        faceData[bits] = 0u;
-        faceData[bits + 1u] = 0u;
-        uint shift;
-        faceData[maskAt(block, shift)] = 0u;  // the other blocks of the word are of the same cascade
-        imageStore(index, listed.voxel, uvec4(0u));
+    uint total = faceCount(0u), list = commands[0].firstFace;
+    const uint perGroup = perInvocation * uint(VCT_LIST_GROUP);
+    uint stride = gl_NumWorkGroups.x * perGroup;
+    for (uint base = gl_WorkGroupID.x * perGroup; base < total; base += stride) {
+        uint begin = base + gl_LocalInvocationIndex, end = min(base + perGroup, total);
+        uint still = 0u, moving = 0u;
+        for (uint id = begin; id < end; id += uint(VCT_LIST_GROUP)) {
+            uint entry = faceData[list + id];
+            if (entry == VCT_FREE_FACE && !isFree(id)) atomicOr(faceData[freeAt(id)], 1u << (id & 31u));
+            if (isFirst(entry) && isMoved(entry))
+                ++moving;
+            else if (isFirst(entry))
+                ++still;
+            ListedFace listed = unpackListed(entry);
+            if (listed.isMerged || !isMoved(entry)) continue;
+            ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
+            uint bits = blockWords(block, listed.face, false);
+            faceData[bits] = 0u;
+            faceData[bits + 1u] = 0u;
+            uint shift;
+            faceData[maskAt(block, shift)] = 0u;  // the other blocks of the word are of the same cascade
+            imageStore(index, listed.voxel, uvec4(0u));
+        }
+        uint v = still == 0u ? 0u : reserveVoxels(0u, still);
+        uint i = moving == 0u ? 0u : reserveFaces(uint(VCT_LIST_VISITED), moving);
+        for (uint id = begin; id < end && still + moving != 0u; id += uint(VCT_LIST_GROUP)) {
+            uint entry = faceData[list + id];
+            if (!isFirst(entry)) continue;
+            if (isMoved(entry))
+                faceData[commands[VCT_LIST_VISITED].firstFace + i++] = id;
+            else if (v++ < commands[0].capacity)
+                activeVoxels[commands[0].firstEntry + v - 1u] = packEntry(uvec3(unpackListed(entry).voxel));
+        }
     }
 }

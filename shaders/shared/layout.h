@@ -119,6 +119,7 @@ using glm::vec4;
 #define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
 #define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
+#define VCT_UNIFORM_TURNS 1             // number of parts of the faces that take turns
 #define VCT_UNIFORM_VISITS_ALL 9        // 1: the pass visits all faces; 0: those of VCT_LIST_VISITED
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
@@ -292,7 +293,8 @@ struct LightStep {
     uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
     uint fullBricks;       // bricks of which there is room for so many; the flat ones are behind them
     uint brickSlots;       // room for full bricks in all
-    uint unusedStep0, unusedStep1, unusedStep2;
+    uint emitterTurns;     // faces take over the light of a coarser cascade's emitters for so many steps
+    uint unusedStep0, unusedStep1;
     vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
 };
 

@@ -308,9 +308,9 @@ TEST(CascadesOnAWalk, SetUniformsOnlyOfProgramsThatHaveThem) {
     const GlSpy<&gl::Uniform1ui> uniforms([&](GLint location, GLuint) {
         GLint program = 0;
         gl::GetIntegerv(GL_CURRENT_PROGRAM, &program);
-        for (const char* name :
-             {"level", "list", "cascade", "shift", "moved", "changed", "withStatic", "rebuilds", "visitsAll",
-              "showsVisibility", "tileIndex", "axis", "map", "shifts[0]", "shifts[1]", "shifts[2]"})
+        for (const char* name : {"level", "list", "cascade", "shift", "moved", "changed", "withStatic",
+                                 "rebuilds", "visitsAll", "showsVisibility", "turns", "turnsLeft",
+                                 "tileIndex", "axis", "map", "shifts[0]", "shifts[1]", "shifts[2]"})
             if (gl::GetUniformLocation(static_cast<GLuint>(program), name) == location) return;
         ++missing[location];
     });
@@ -410,6 +410,35 @@ TEST(CascadesOnAWalk, KeepTheirLightWhenTheListsGrow) {
         EXPECT_LT(change, 0.07 * sum) << "frame " << frame;
     }
     EXPECT_GE(grown, 1);
+}
+
+// Faces that a cascade reaches show the light of emitters that a coarser one has, and find their own in
+// turns. Below a small lamp near the floor the two differ much.
+TEST(CascadesOnAWalk, FindTheLightOfEmitters) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = hall();
+    scene.materials.push_back(scene.materials[1]);
+    scene.materials[1].emissive = glm::vec3(0.0F);
+    for (const double x : {8.6, 9.8, 10.7})
+        addQuad(scene, {x, 0.45, 4.1}, {0.3, 0, 0}, {0, 0, 0.3}, 2);
+    scene = finished(std::move(scene));
+    const auto makeHere = [&] {
+        return makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
+    };
+    Renderer walking = makeHere(), fresh = makeHere();
+    walking.render({{Output::irradiance}, Walk::at(2.0), LightSteps::all});
+    for (double x = 2.5; x <= 7.0; x += 0.5)
+        walking.render({{Output::irradiance}, Walk::at(x)});
+    for (Renderer* renderer : {&walking, &fresh})
+        renderer->render({{Output::irradiance}, Walk::at(7.0), LightSteps::all});
+    const Image found = walking.radiance(), right = fresh.radiance();
+    double difference = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+        difference += std::abs(found.pixels[i].x - right.pixels[i].x);
+        sum += right.pixels[i].x;
+    }
+    ASSERT_GT(sum, 0.0);
+    EXPECT_LE(difference, 0.005 * sum);
 }
 
 // The ids of faces that a cascade has left serve others, so that a walk to and fro needs no more memory.

@@ -78,6 +78,9 @@ TEST(LightSchedule, AMoveOfCascadesVisitsWhatItHasChanged) {
     for (int i = 0; i < 64; ++i) {
         const LightPlan plan = schedule.advance(i == 0 ? otherPlace : noChange);
         EXPECT_FALSE(plan.visitsAll) << i;
+        // New faces find the light of emitters in turns.
+        EXPECT_FALSE(plan.updatesEmitters) << i;
+        EXPECT_EQ(plan.emitterTurns, i < LightSchedule::emitterTurns ? 16U : 1U) << i;
         // The refinement visits all that no refinement has visited.
         EXPECT_EQ(plan.listsVisited, i == 0 || i == 32) << i;
         if (plan.listsVisited) {

@@ -178,7 +178,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const bool sameObjects = before && before->placements == inputs.now.placements;
     std::uint32_t moved = 0;
     const bool isMoved = !(*cascades_ == inputs.cascades);
-    const bool isJump = isFar(shiftsOf(*cascades_, inputs.cascades, voxels_.grid()), voxels_.grid());
+    const CascadeShifts shifts = shiftsOf(*cascades_, inputs.cascades, voxels_.grid());
+    const bool isJump = isFar(shifts, voxels_.grid());
     const bool changesStatic = isMoved || (hasCascades_ && (inputs.forceRebuild || isIncomplete_));
     const bool voxelizes = changesStatic || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
     if (voxelizes)
@@ -194,7 +195,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         light_->onVoxelsChanged({voxelizes, moved, before != inputs.now,
                                  !sameObjects || before->lightChanges != inputs.now.lightChanges,
                                  before && before->skyChanges != inputs.now.skyChanges,
-                                 isJump || (voxelizes && hasDynamic_), isMoved});
+                                 isJump || (voxelizes && hasDynamic_), isMoved},
+                                shifts);
     cachedFor_ = inputs.now;
 
     VoxelLight light;

@@ -49,6 +49,10 @@ gl::ProgramDescription listFreeProgram() {
     return {"directional/list_free", {"directional/list_free.comp"}, {}};
 }
 
+gl::ProgramDescription listFreshProgram() {
+    return {"directional/list_fresh", {"directional/list_fresh.comp"}, {}};
+}
+
 namespace {
 
 // The position of a listed face's voxel in an array of side^2 voxels per layer.
@@ -85,6 +89,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
         unlistStatic_ = gl::Program(shaders, unlistStaticProgram(emission));
         scroll_ = gl::Program(shaders, scrollProgram(emission));
         listFree_ = gl::Program(shaders, listFreeProgram());
+        listFresh_ = gl::Program(shaders, listFreshProgram());
         listBlocks_ = gl::Program(shaders, listBlocksProgram());
     }
     for (int i = 0; dynamicObjects && i < 2; ++i)
@@ -130,9 +135,9 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
         base.faceCapacity = capacities_[list];
         firstId += capacities_[list];
     }
-    // Two bits per static id.
+    // Three bits per static id.
     commands.lists[0].firstMask = next + firstId;
-    next += 2 * ((capacities_[0] + 31) / 32);
+    next += 3 * ((capacities_[0] + 31) / 32);
     shared::LevelCommands& visited = commands.lists[VCT_LIST_VISITED];
     visited.firstFace = next + firstId;
     visited.faceCapacity = cascades_ > 1 ? capacities_[0] : 0;
@@ -216,7 +221,7 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         if (now.faceCapacity > 0) writeIndex(list, now.firstId, {first, first + count});
     }
     const std::uint32_t oldBits = (old.lists[0].faceCapacity + 31) / 32, bits = (capacities_[0] + 31) / 32;
-    for (const std::uint32_t i : {0U, 1U})
+    for (const std::uint32_t i : {0U, 1U, 2U})
         copy(old.lists[0].firstMask + i * oldBits, commands.lists[0].firstMask + i * bits, oldBits);
     std::fill_n(after.begin() + commands.lists[0].firstFace + old.lists[0].faceCapacity,
                 capacities_[0] - old.lists[0].faceCapacity, VCT_FREE_FACE);
@@ -292,19 +297,23 @@ void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t mov
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bindForVoxelization();
+    resetLists(true);
+    index_.emptyFaceList(VCT_LIST_VISITED);
     unlistStatic_.use();
-    gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, rebuilds ? allCascades : moved);
     staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
     index_.dispatchOverFaces(0);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    resetLists(true);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                      GL_COMMAND_BARRIER_BIT);
     scroll_.use();
     gl::Uniform1ui(VCT_UNIFORM_REBUILDS, rebuilds ? 1 : 0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cascades_); ++i)
         gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i), shared::packShift(shifts.at(i)));
     staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
-    index_.dispatchOverFaces(0);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    index_.dispatchOverFaces(VCT_LIST_VISITED);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                      GL_BUFFER_UPDATE_BARRIER_BIT);
+    index_.emptyFaceList(VCT_LIST_VISITED);
     listFree_.use();
     index_.dispatchOverFaces(0);
     listBlocks_.use();
@@ -343,15 +352,27 @@ std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {
 void DirectionalVoxels::resolve(std::uint32_t changed) const {
     const gl::DebugGroup group("resolve faces");
     bindForVoxelization();
+    const bool visitsAll = cascades_ == 1 || hasDynamicObjects();
+    if (!visitsAll) listFresh();
     resolve_.use();
+    if (cascades_ > 1) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
     staticIndex().bind(VCT_TEX_VOXELS);
     dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    index_.dispatchOverFaces(0);
+    index_.dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
     fillBlocks_.use();
     blocks_.bindImage(VCT_IMAGE_BLOCKS, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);
     dispatchOverBlocks((hasDynamicObjects() ? 2 : 1) * cascades_ * grid() / VCT_BRICK_SIDE);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void DirectionalVoxels::listFresh() const {
+    index_.emptyFaceList(VCT_LIST_VISITED);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    listFresh_.use();
+    const std::uint32_t words = (capacities_[0] + 31) / 32;
+    gl::DispatchCompute((words + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP + 1, 1, 1);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void DirectionalVoxels::bindLists() const {

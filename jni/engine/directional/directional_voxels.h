@@ -27,6 +27,7 @@ gl::ProgramDescription unlistStaticProgram(bool emission);
 gl::ProgramDescription scrollProgram(bool emission);
 gl::ProgramDescription listBlocksProgram();
 gl::ProgramDescription listFreeProgram();
+gl::ProgramDescription listFreshProgram();
 
 // Capacities of the face lists, by list (VCT_LISTS).
 using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
@@ -103,6 +104,9 @@ class DirectionalVoxels {
     // for each.
     void resolve(std::uint32_t changed) const;
 
+    // Lists the static faces that have no light yet, in VCT_LIST_VISITED. Only with cascades.
+    void listFresh() const;
+
     // Entries (shared::packFace()) and ids of the base level's faces in the present pose, without merged
     // faces. Waits for the GPU.
     struct BaseFace {
@@ -138,8 +142,8 @@ class DirectionalVoxels {
     std::uint32_t pose_ = 0;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
     gl::Program markStatic_, fillBlocks_, resolve_;
-    gl::Program clearDynamic_, clearBlocks_, resetLists_;        // only with dynamic objects or cascades
-    gl::Program unlistStatic_, scroll_, listFree_, listBlocks_;  // only with cascades
+    gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades
+    gl::Program unlistStatic_, scroll_, listFree_, listFresh_, listBlocks_;  // only with cascades
 };
 
 }  // namespace vct

@@ -85,6 +85,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     }
     if (hasCascades) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
+    if (hasCascades) listUnlinked_.emplace(shaders, lightProgram("list_unlinked", sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block", settings, sources));
     if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
@@ -102,7 +103,7 @@ GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     return settings;
 }
 
-void Irradiance::onVoxelsChanged(const LightSchedule::Change& change) {
+void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const CascadeShifts& shifts) {
     pending_.lists |= change.lists;
     pending_.voxelized |= change.voxelized;
     pending_.light |= change.light;
@@ -110,6 +111,8 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change) {
     pending_.sky |= change.sky;
     pending_.all |= change.all;
     pending_.cascades |= change.cascades;
+    for (std::size_t i = 0; i < shifts.size(); ++i)
+        pendingPaths_.at(i) += glm::abs(shifts.at(i));
     placesBricks_ |= change.lists;
 }
 
@@ -118,12 +121,14 @@ void Irradiance::invalidate() {
     schedule_ = LightSchedule(settings_, lightFrames_);
     capacities_ = {};
     idCapacity_ = 0;
+    forwardTurns_ = forwardedCascades_ = 0;
 }
 
 void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects,
                            bool allBounces) {
     const gl::DebugGroup group("begin light step");
     const LightSchedule::Change change = std::exchange(pending_, {});
+    const CascadeShifts paths = std::exchange(pendingPaths_, {});
     plan_ = schedule_.advance(change);
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
@@ -139,8 +144,9 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     if (std::exchange(placesBricks_, false)) {
         if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
         placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
-        linkFaces(voxels, marksAllWalls_ || voxels.hasDynamicObjects() ? DirectionalVoxels::allCascades
-                                                                       : change.voxelized);
+        const bool linksAll = marksAllWalls_ || voxels.hasDynamicObjects() ||
+                              change.voxelized == DirectionalVoxels::allCascades;
+        linkFaces(voxels, linksAll, paths);
         marksAllWalls_ = false;
         if (isFirst) {
             // The bricks are counted by placing them.
@@ -152,9 +158,13 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         }
         fillsAll_ = true;
     }
+    if (forwardHits_ && !isFirst && (change.voxelized != 0 || forwardTurns_ > 0)) {
+        forwardHits(voxels, change.voxelized);
+        if (forwardTurns_ == 0) plan_.listsVisited = true;
+    }
     if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels);
     fillsAll_ |= plan_.visitsAll;
-    if (!findEmitters_ || !plan_.updatesEmitters) return;
+    if (!findEmitters_ || !(plan_.updatesEmitters || plan_.emitterTurns > 1)) return;
     voxels.bindForRays();
     run(*findEmitters_, voxels);
 }
@@ -179,27 +189,37 @@ void Irradiance::dispatchOverVisited(const DirectionalVoxels& voxels) const {
 void Irradiance::listVisited(const DirectionalVoxels& voxels) const {
     voxels.index().emptyFaceList(VCT_LIST_VISITED);
     listVisited_->use();
+    gl::Uniform1ui(VCT_UNIFORM_TURNS, forwardTurns_);
     voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const {
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
+    if (moved != 0) voxels.listFresh();
     carryOver_->use();
     for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
         if (list == 0 ? moved == 0 : !voxels.hasDynamicObjects()) continue;
         gl::Uniform1ui(VCT_UNIFORM_LIST, list);
         (list == 0 ? voxels.staticIndex() : voxels.indexOf(list ^ 1U)).bind(VCT_TEX_PREVIOUS_VOXELS);
-        voxels.index().dispatchOverFaces(0);
+        voxels.index().dispatchOverFaces(list == 0 ? VCT_LIST_VISITED : 0);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     // The new ids of all faces are known before any hit is copied.
-    if (moved != 0) {
-        forwardHits_->use();
-        gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
-        runOverAll(*forwardHits_, voxels);
-    }
     if (voxels.hasDynamicObjects()) runOverAll(*carryHits_, voxels);
+}
+
+void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved) {
+    // Another move uses the ids of faces that the last one has left, so all turns that are left come now.
+    constexpr std::uint32_t turns = 8;
+    const bool endsTurns = moved != 0 && forwardTurns_ > 0;
+    forwardedCascades_ |= moved;
+    forwardTurns_ = endsTurns ? 1 : moved != 0 ? turns : forwardTurns_;
+    forwardHits_->use();
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, forwardedCascades_);
+    gl::Uniform1ui(VCT_UNIFORM_TURNS, endsTurns ? 1 : turns);
+    runOverAll(*forwardHits_, voxels);
+    if (--forwardTurns_ == 0) forwardedCascades_ = 0;
 }
 
 void Irradiance::gather(const DirectionalVoxels& voxels) {
@@ -394,6 +414,7 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
     values.blockedCapacity = blockedCapacity_;
     values.visitsSince = plan_.visitsSince;
+    values.emitterTurns = plan_.emitterTurns;
     values.objectCount = static_cast<std::uint32_t>(objects.size());
     std::copy(objects.begin(), objects.end(), values.object);
     uniforms_.bind(GL_UNIFORM_BUFFER);
@@ -445,11 +466,22 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void Irradiance::linkFaces(const DirectionalVoxels& voxels, std::uint32_t changed) const {
+void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll, const CascadeShifts& paths) const {
+    if (!linksAll) {
+        voxels.index().emptyFaceList(VCT_LIST_VISITED);
+        listUnlinked_->use();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(voxels.cascades()); ++i)
+            gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i),
+                           shared::packShift(glm::min(paths.at(i), voxels.grid())));
+        voxels.index().dispatchOverFaces(0);
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                          GL_BUFFER_UPDATE_BARRIER_BIT);
+    }
     linkFaces_.use();
-    gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);
+    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, linksAll ? 1 : 0);
     voxels.bindForRays();
-    runOverAll(linkFaces_, voxels);
+    voxels.index().dispatchOverFaces(linksAll ? 0 : VCT_LIST_VISITED);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 std::vector<const gl::Texture*> Irradiance::textures() const {

@@ -35,7 +35,8 @@ class Irradiance {
     static GatherSettings fitting(GatherSettings settings, std::uint32_t ids);
 
     // Reports a change of the voxels, which the next step takes into account.
-    void onVoxelsChanged(const LightSchedule::Change& change);
+    // `shifts`: the moves of cascades.
+    void onVoxelsChanged(const LightSchedule::Change& change, const CascadeShifts& shifts = {});
     // Reports how many cached rays moving objects blocked in an earlier step. The next step has room for as
     // many and some more.
     void onRaysBlocked(std::uint32_t count) {
@@ -110,6 +111,8 @@ class Irradiance {
     // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
     // static geometry has changed, a bit for each. Its new faces get light as well.
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const;
+    // Replaces the hits of static faces that are gone, of those faces whose turn it is. `moved`: as above.
+    void forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved);
     // Lists the static faces that the next steps visit.
     void listVisited(const DirectionalVoxels& voxels) const;
     // `moved`: the cascades whose static walls have changed, a bit for each.
@@ -118,21 +121,25 @@ class Irradiance {
     void markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
                    std::uint32_t cascades) const;
 
-    // Links the faces of these cascades, a bit for each, and of moving objects to those beside them.
-    void linkFaces(const DirectionalVoxels& voxels, std::uint32_t changed) const;
+    // Links faces to those beside them: all faces, or static ones that have others around them since cascades
+    // have moved. `paths`: the voxels that they have moved by along each axis.
+    void linkFaces(const DirectionalVoxels& voxels, bool linksAll, const CascadeShifts& paths) const;
 
     GatherSettings settings_;
     int lightFrames_;
     bool hasObjects_, listsChange_;
     LightSchedule schedule_;
     LightPlan plan_;
-    LightSchedule::Change pending_;  // changes that no step has taken into account yet
+    LightSchedule::Change pending_;        // changes that no step has taken into account yet
+    CascadeShifts pendingPaths_{};         // the lengths of the cascades' moves among them, along each axis
+    std::uint32_t forwardedCascades_ = 0;  // the cascades whose lost hits forward_hits replaces, a bit each,
+    std::uint32_t forwardTurns_ = 0;       // in so many steps from now on
     gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
         smoothRows_, smooth_, fillBricks_;
-    std::optional<gl::Program> carryOver_, carryHits_;      // only with dynamic objects or cascades
-    std::optional<gl::Program> forwardHits_, listVisited_;  // only with cascades
-    std::optional<gl::Program> block_;                      // only with moving objects
-    std::optional<gl::Program> findEmitters_;               // only if the scene has compact emitters
+    std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
+    std::optional<gl::Program> forwardHits_, listVisited_, listUnlinked_;  // only with cascades
+    std::optional<gl::Program> block_;                                     // only with moving objects
+    std::optional<gl::Program> findEmitters_;  // only if the scene has compact emitters
     bool emitters_;
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
     bool isBakedCurrent_ = false;

@@ -29,7 +29,14 @@ LightPlan LightSchedule::advance(const Change& change) {
     plan.frame = frame_++;
     const bool isFirst = plan.frame == 0;
     plan.updatesDirect = change.light || change.lists || isFirst;
-    plan.updatesEmitters = change.emitters || change.lists || isFirst;
+    const bool spreadsEmitters = change.isMove() && !isFirst;
+    if (spreadsEmitters) emitterStepsLeft_ = emitterTurns;
+    plan.updatesEmitters = !spreadsEmitters && (change.emitters || change.lists || isFirst);
+    if (plan.updatesEmitters) emitterStepsLeft_ = 0;
+    if (emitterStepsLeft_ > 0) {
+        --emitterStepsLeft_;
+        plan.emitterTurns = emitterTurns;
+    }
     plan.updatesSky = change.sky;
     plan.refiningSteps = refiningSteps_;
     // This step traces some rays of moving objects, and those after it trace each of them once.

@@ -29,6 +29,7 @@ struct LightPlan {
     bool updatesDirect = false;       // direct light has changed
     bool updatesSky = false;          // the sky has changed
     bool updatesEmitters = false;     // the light of compact emitters has changed
+    std::uint32_t emitterTurns = 1;   // new faces find the emitters' light in so many steps
 
     bool endsRefinement() const { return refiningStep >= 0 && refiningStep == refiningSteps - 1; }
 };
@@ -50,6 +51,9 @@ class LightSchedule {
         // True if nothing else has changed than the places of cascades.
         bool isMove() const { return any() && !(light || emitters || sky || all); }
     };
+    // New faces of cascades that have moved show the emitters' light on faces of a coarser cascade until
+    // they find their own, in so many steps.
+    static constexpr int emitterTurns = 16;
     // Returns the parameters of the next step.
     LightPlan advance(const Change& change);
     // The last step has taken over converged light, without rays.
@@ -68,7 +72,7 @@ class LightSchedule {
   private:
     int lightFrames_, refiningSteps_, tracingSteps_, rayBudget_, rays_;
     int moveSteps_;  // steps after a move, before a refinement
-    int stepsLeft_, tracingStepsLeft_;
+    int stepsLeft_, tracingStepsLeft_, emitterStepsLeft_ = 0;
     std::uint32_t frame_ = 0;
     // The step, counted from 1, in which light changed everywhere; 0: a refinement has visited all since.
     std::uint32_t changedAll_ = 0;
