@@ -111,10 +111,11 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     // A wall that is parallel to the sun hides a part of it along its crease, but the map does not show that
     // wall, and taps see past it. In the hard shadow two more rounds compare with depths behind the
     // receiver's plane, further than a relief and the levels' texels rise, and find the taps that see past
-    // its border.
+    // its border. A curved surface bends away from its plane, so there such taps are right.
+    bool hasSides = isDark && slackShare < curvedSlack;
     float light = 0.0, sum = 0.0;
     vec2 tap = firstTap, circles = outerCircles;
-    int rounds = isDark ? 4 : 2;
+    int rounds = hasSides ? 4 : 2;
     for (int round = 0; round < rounds; ++round) {
         // Four comparisons on each of two circles, a quarter turn apart.
         vec2 at = tap * circles.x;
@@ -136,7 +137,7 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
         circles = innerCircles;
         if (round != 1) continue;
         light = sum;
-        if (light == 0.0) break;
+        if (light == 0.0 || !hasSides) break;
         sum = 0.0;
         tap = firstTap;
         circles = outerCircles;
@@ -144,7 +145,7 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
         inCone = 0.0;
     }
     // Taps past the border count if enough others see the plane in light.
-    if (isDark) light = min(light, max(4.0 * (light - sum - min(sum, 1.0)), 0.0));
+    if (hasSides) light = min(light, max(4.0 * (light - sum - min(sum, 1.0)), 0.0));
     light *= 1.0 / float(filterTaps);
     return isDark ? light * clamp(radius - 1.0, 0.0, 1.0) : light;
 }
