@@ -28,6 +28,7 @@ VERBS = {
     "render": "times and errors of each preset's picture of scenes that have references",
     "judge": "the same for your own scene, on one page",
     "sweep": "the same at several grids: time against error",
+    "products": "pictures of products, beside path tracing",
     "motion": "light and times while camera, light or objects move",
     "cases": "small scenes with known answers",
     "compare": "the presets beside other renderers: three.js, Godot, and Cycles as a check of the references",

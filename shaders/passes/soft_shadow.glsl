@@ -1,9 +1,9 @@
 // The sun's soft shadow by percentage-closer soft shadows (Fernando 2005): a search for blockers gives the
 // width of the penumbra, over which comparisons with the shadow map are averaged. It reads the hard shadow's
-// five texels, eight more depths and, if anything blocks the light, 16 comparisons, or 32 in the dark half
-// of a penumbra. A wide penumbra compares with coarser levels of the map (passes/shadow_level.frag), so that
-// a few comparisons leave no gaps and the cost does not grow with the width. Behind a straight edge, the root
-// mean square error in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
+// five texels, eight more depths, and eight comparisons, or 16 in a penumbra and 32 in its dark half. A wide
+// penumbra compares with coarser levels of the map (passes/shadow_level.frag), so that a few comparisons
+// leave no gaps and the cost does not grow with the width. Behind a straight edge, the root mean square error
+// in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
 #include "shared/shadow.glsl"
 
 // The taps of the search form a Vogel disc whose radii grow by more than a uniform disc's, because blockers
@@ -30,11 +30,18 @@ vec4 penumbraeAt(vec4 x, vec4 y, vec2 receiver, vec2 cone, vec3 plane, float per
 }
 
 const int filterTaps = 16;
+const vec2 outerCircles = vec2(0.9354, 0.7906), innerCircles = vec2(0.6124, 0.3536);  // of equal shares
 
-// The first comparison, relative to the penumbra's radius, and the turn to the next: the golden ratio of a
-// quarter. The filter of a comparison widens the whole by 4 %.
-const vec2 firstTap = 0.96 * vec2(0.9239, 0.3827);
-const mat2 goldenQuarter = mat2(0.8253344, 0.5646442, -0.5646442, 0.8253344);
+// The first comparison, relative to the penumbra's radius, and the turn to the next circle: the golden ratio
+// of a quarter. The filter of a comparison widens the whole by 4 %.
+const vec2 firstTap = 0.96 * vec2(-0.5825879, 0.8127677);
+const mat2 goldenQuarter = mat2(0.8253344, -0.5646442, 0.5646442, 0.8253344);
+
+float comparisons(vec3 middle, vec3 a, vec3 b, float level) {
+    vec3 p = middle + a, q = middle - a, r = middle + b, s = middle - b;
+    return textureLod(shadowMap, p, level) + textureLod(shadowMap, q, level) +
+           textureLod(shadowMap, r, level) + textureLod(shadowMap, s, level);
+}
 
 // The visible share of the sun's disc, for a surface that faces the disc's centre. At grazing light the
 // surface's own horizon hides up to half of the disc, which n.l is left to account for. `slackShare`:
@@ -102,36 +109,43 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     vec3 stepX = vec3(map.coneRadius.x, 0.0, slope.x) * penumbra;
     vec3 stepY = vec3(0.0, map.coneRadius.y, slope.y) * penumbra;
     // A wall that is parallel to the sun hides a part of it along its crease, but the map does not show that
-    // wall, and taps see past it. In the hard shadow a second round compares with depths behind the
-    // receiver's plane, further than a relief and the levels' texels rise, and finds the taps that see past
-    // its border.
-    float light = 0.0, pastBorder = 0.0;
-    for (int side = 0; side < (isDark ? 2 : 1); ++side) {
-        // Four comparisons at a time, a quarter turn apart.
-        vec2 tap = firstTap;
-        float distance = 0.0;
-        float sum = 0.0;
-        for (int i = 0; i < filterTaps / 4; ++i) {
-            float farther = sqrt((float(i) + 0.5) / float(filterTaps / 4));
-            middle.z -= inCone * (farther - distance);
-            distance = farther;
-            vec2 at = tap * distance;
-            vec3 a = stepX * at.x + stepY * at.y, b = stepY * at.x - stepX * at.y;
-            vec3 p = middle + a, q = middle - a, r = middle + b, s = middle - b;
-            sum += textureLod(shadowMap, p, level) + textureLod(shadowMap, q, level) +
-                   textureLod(shadowMap, r, level) + textureLod(shadowMap, s, level);
-            tap = goldenQuarter * tap;
+    // wall, and taps see past it. In the hard shadow two more rounds compare with depths behind the
+    // receiver's plane, further than a relief and the levels' texels rise, and find the taps that see past
+    // its border. A curved surface bends away from its plane, so there such taps are right.
+    bool hasSides = isDark && slackShare < curvedSlack;
+    float light = 0.0, sum = 0.0;
+    vec2 tap = firstTap, circles = outerCircles;
+    int rounds = hasSides ? 4 : 2;
+    for (int round = 0; round < rounds; ++round) {
+        // Four comparisons on each of two circles, a quarter turn apart.
+        vec2 at = tap * circles.x;
+        vec3 a = stepX * at.x + stepY * at.y, b = stepY * at.x - stepX * at.y;
+        vec3 raised = vec3(middle.xy, middle.z - inCone * circles.x);
+        sum += comparisons(raised, a, b, level);
+        tap = goldenQuarter * tap;
+        at = tap * circles.y;
+        a = stepX * at.x + stepY * at.y, b = stepY * at.x - stepX * at.y;
+        raised.z += inCone * (circles.x - circles.y);
+        sum += comparisons(raised, a, b, level);
+        tap = goldenQuarter * tap;
+        // The outer circles leave few gaps along the border of the disc. If they agree with the hard shadow,
+        // so do the inner ones.
+        if (round == 0 && sum == (isDark ? 0.0 : 8.0)) {
+            light = 2.0 * sum;
+            break;
         }
-        if (side == 0)
-            light = sum;
-        else
-            pastBorder = sum;
-        if (sum == 0.0) break;
+        circles = innerCircles;
+        if (round != 1) continue;
+        light = sum;
+        if (light == 0.0 || !hasSides) break;
+        sum = 0.0;
+        tap = firstTap;
+        circles = outerCircles;
         middle.z = receiver.z + 1.5 * texels * rise + 0.5 * map.coneRadius.x * penumbra;
         inCone = 0.0;
     }
     // Taps past the border count if enough others see the plane in light.
-    if (isDark) light = min(light, max(4.0 * (light - pastBorder - min(pastBorder, 1.0)), 0.0));
+    if (hasSides) light = min(light, max(4.0 * (light - sum - min(sum, 1.0)), 0.0));
     light *= 1.0 / float(filterTaps);
     return isDark ? light * clamp(radius - 1.0, 0.0, 1.0) : light;
 }
