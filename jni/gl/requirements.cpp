@@ -62,8 +62,8 @@ constexpr Limit limits[] = {
      "commands"},
     {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", 3, false,
      "the presets mobile and quality: the fragment shader also adds to the sums of faces"},
-    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 5, true,
-     "clearing and mip levels: two images and three storage buffers in one compute shader"},
+    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 6, true,
+     "placing bricks: three images and three storage buffers in one compute shader"},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
      "mip levels and clearing: read and append the lists of voxels and faces, and write the indirect "
      "commands"},
