@@ -54,7 +54,9 @@ vec3 besideWall(uint word, vec3 position, vec3 moved, vec3 normal) {
     bool isAbove = position.x + tolerance * (normal.x - dot(slope, normal.yz)) > wall;
     float sign = isAbove ? 1.0 : -1.0, distance = unpackField(word, isAbove ? 19 : 15, 4, wallDistances);
     float nearest = ceil(sign * wall + distance - 0.5) + 0.5;
-    float aside = clamp(sign * max(sign * position.x, nearest), 0.5, 5.5) - position.x;
+    // At the middle of a texel, rounding must not give the texel before it a weight.
+    const float rounding = 0.001;
+    float aside = clamp(sign * max(sign * position.x, nearest), 0.5, 5.5) + rounding - position.x;
     // It stays on the surface.
     float steepness = clamp(-normal.x / (abs(normal.z) > 0.1 ? normal.z : 0.1), -2.0, 2.0);
     return moved + aside * vec3(1.0, 0.0, steepness);

@@ -105,17 +105,17 @@ TEST(Irradiance, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
             EXPECT_NEAR(other.light[c], face.light[c], 0.003 * face.light[c] + 1e-5);
     }
     EXPECT_LE(differing, 50);
-    // The bricks have other places, where texel coordinates round differently, and a pixel at a wall's edge
-    // may take the next texel.
+    // The bricks have other places, where texel coordinates round differently. Where a pixel has hardly a
+    // texel, that decides whether the look-up tries other positions.
     int moved = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c) {
-            const float value = picture.pixels[i][c],
-                        difference = std::abs(otherPicture.pixels[i][c] - value);
-            ASSERT_LE(difference, 0.05F * value + 1e-4F) << "pixel " << i;
+            const float value = picture.pixels[i][c];
+            const float difference = std::abs(otherPicture.pixels[i][c] - value);
+            ASSERT_LE(difference, 0.2F * value + 1e-4F) << "pixel " << i;
             moved += difference > 0.005F * value + 1e-4F ? 1 : 0;
         }
-    EXPECT_LE(moved, 6);
+    EXPECT_LE(moved, 15);
 }
 
 double brightness(const IrradianceByFace& faces) {
