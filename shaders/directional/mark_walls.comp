@@ -62,7 +62,8 @@ void markBrick(ivec3 block, int face, int slot, uint word) {
 }
 
 // Marks a wall that crosses the face `face` of `voxel` mostly along `axis`, in the bricks with texels beside
-// it. `middle`: the plane amid the wall's two surfaces, from the middle of the voxel `wallVoxel`.
+// it. `middle`: the plane amid the wall's two surfaces, from the middle of the voxel `wallVoxel`. Its normal
+// has a positive component along the axis.
 void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle, float thickness) {
     int faceAxis = face >> 1, other = 3 - faceAxis - axis;
     float steepness = 1.0 / middle.normal[axis];
@@ -71,9 +72,8 @@ void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle,
     // faces, it has the faces of all voxels which the wall passes (splitByWall() in
     // directional/resolve.comp).
     const float rounding = 0.1, perpendicular = 0.15;
-    float inWall = 0.5 * thickness * abs(steepness);
+    float inWall = 0.5 * thickness * steepness;
     float lean = (face & 1) == 0 ? middle.normal[faceAxis] : -middle.normal[faceAxis];
-    if (middle.normal[axis] < 0.0) lean = -lean;
     float passed = inWall + 0.5 + 0.5 * (abs(slope.x) + abs(slope.y));
     float beside = inWall + rounding + 0.5 * abs(slope.x);
     ThinWall wall = ThinWall(0.0,
@@ -109,8 +109,8 @@ void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle,
     }
 }
 
-// True if a wall crosses faces across `other` rather along `axis` than along the third axis. Along both, one
-// word would be wasted.
+// True if a wall crosses faces of `faceAxis` rather along `axis` than along the third axis. A wall that was
+// marked along both would need both words of a brick.
 bool isMostlyAlong(vec3 normal, int axis, int faceAxis) {
     int third = 3 - axis - faceAxis;
     float difference = abs(normal[axis]) - abs(normal[third]);

@@ -41,10 +41,10 @@ ivec3 wallTexel(ivec3 brickTexel, int word, int depth) {
     return brickTexel + ivec3(0, 0, word * depth);
 }
 
-// Moves a position in a brick to where the filter reads texels of the position's own side of a wall. The
-// components of `position`, `moved` and the surface's normal are along the axis that the wall mostly crosses,
-// along the other of the two axes that the faces span, both in texels from the brick's first one, and along
-// the axis that the faces look along.
+// Moves a position in a brick to where the filter reads texels of the position's own side of a wall. `moved`:
+// the position after another wall has moved it. Its components, and those of `position` and the normal, are
+// along the axis that the wall mostly crosses, along the other of the two axes that the faces span, both in
+// texels from the brick's first one, and along the axis that the faces look along.
 vec3 besideWall(uint word, vec3 position, vec3 moved, vec3 normal) {
     // Walls are known to a tenth of a texel. On a wall itself the normal tells the side.
     const float tolerance = 0.3;
