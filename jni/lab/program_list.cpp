@@ -61,6 +61,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
         }
         add(Step::voxelize, listFacesProgram());
         add(Step::voxelize, resolveProgram(emission));
+        add(Step::voxelize, extentsProgram(emission));
         add(Step::voxelize, fillBlocksProgram(emission));
         if (read.ambientVisibility || read.indirectLight) {
             for (const char* name :

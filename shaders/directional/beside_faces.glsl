@@ -29,13 +29,18 @@ WeightedMean meanAlong(ListedFace listed, uint id, int axis) {
     WeightedMean sum = besideMean(id);
     float own = closeness(faceSight(id).nearness);
     sum.mean *= sum.weight;
-    uint links = faceLinks(id) >> uint(4 * axis) & (isRefining() ? 5u : 15u);
     Row row = rowOf(listed, facePlane(id), axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-    for (uint left = links; left != 0u; left &= left - 1u) {
-        int link = findLSB(left), steps = 1 + (link & 1);
-        ivec3 voxel = voxelOfRow(row, float(link < 2 ? -steps : steps));
+    // Bits for the faces -1, -2, 1 and 2 voxels away. The second one counts if the first is linked to it.
+    uint linked = faceLinks(id) >> uint(2 * axis) & 3u, left = linked & 1u | (linked & 2u) << 1u;
+    while (left != 0u) {
+        int place = findLSB(left), side = place >> 1, steps = 1 + (place & 1);
+        left &= left - 1u;
+        ivec3 voxel = voxelOfRow(row, float(side == 0 ? -steps : steps));
         uint cell = cellBeside(row, voxel, 1u << uint(listed.face));
+        if (!hasFace(cell, listed.face)) continue;
         uint besideId = faceId(cell, listed.face);
+        if (steps == 1 && !isRefining())
+            left |= (faceLinks(besideId) >> uint(2 * axis + side) & 1u) << uint(place + 1);
         WeightedMean beside = besideMean(besideId);
         float difference = abs(closeness(faceSight(besideId).nearness) - own);
         float weight =

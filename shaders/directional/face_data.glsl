@@ -34,7 +34,7 @@ uint faceAt(uint id) {
     return allBlockWords() + faceWord(id, faceWords);
 }
 
-// The id at which a face's surface is (directional/resolve.comp). `isStatic`: of the static geometry alone.
+// The id at which a face's surface is (directional/resolved.glsl). `isStatic`: of the static geometry alone.
 uint surfaceId(uint staticCell, uint dynamicCell, int face, bool isStatic) {
     bool isShared = hasFace(staticCell, face) && hasFace(dynamicCell, face);
     return faceId(hasFace(staticCell, face) && !(isStatic && isShared) ? staticCell : dynamicCell, face);

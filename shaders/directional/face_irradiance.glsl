@@ -149,16 +149,16 @@ uint packBlocked(uint direction, uint hit) {
 
 // The number of blocked rays and of those among them that meet a back; whether the face had the plane of a
 // moving object, as where one touches a static surface, so that its hits are of a plane that moves; and the
-// links to the faces beside it (directional/link_faces.comp): along the first axis across the face, bits for
-// the faces -1, -2, 1 and 2 voxels away, and as many for the second axis.
-const uint wasMerged = 0x80000000u, linkBits = 0xFF00u;
+// links to the faces beside it (directional/link_faces.comp): bits for the faces before and behind it along
+// the first axis across the face, and along the second.
+const uint wasMerged = 0x80000000u, linkBits = 0x0F00u;
 void storeBlockedCounts(uint id, uint rays, uint backs, bool isMerged) {
     uint at = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
     faceIrradianceData[at] =
         faceIrradianceData[at] & linkBits | rays | backs << 16u | (isMerged ? wasMerged : 0u);
 }
 uint faceLinks(uint id) {
-    return faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] >> 8u & 0xFFu;
+    return faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] >> 8u & 0xFu;
 }
 void storeLinks(uint id, uint links) {
     uint at = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;

@@ -1,7 +1,7 @@
 // The sums of each base-level face, by its id: voxelization adds the fragments that cover the face. They are
 // in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene
 // fits into 32 bits, as a triangle covers a face at most once. A scene in which nothing moves needs them only
-// until resolve.comp has run.
+// until extents.comp has run.
 #include "shared/frame.glsl"
 #include "directional/face_words.glsl"
 
@@ -63,16 +63,22 @@ vec3 threeWords(uint at) {
     return vec3(uvec3(faceSumData[at], faceSumData[at + 1u], faceSumData[at + 2u])) / frame.faceSumUnits;
 }
 
+// Coverage, and the position across the face weighted by it.
+vec3 coverageAndPlace(uint id) {
+    uint at = sumsAt(id);
+    return vec3(uvec3(faceSumData[at + VCT_FACE_COVERAGE], faceSumData[at + VCT_FACE_PLACE],
+                      faceSumData[at + VCT_FACE_PLACE + 1u])) /
+           frame.faceSumUnits;
+}
+
 FaceSums faceSums(uint id) {
     uint at = sumsAt(id);
-    float coverage = float(faceSumData[at + VCT_FACE_COVERAGE]) / frame.faceSumUnits;
-    vec2 place =
-        vec2(faceSumData[at + VCT_FACE_PLACE], faceSumData[at + VCT_FACE_PLACE + 1u]) / frame.faceSumUnits;
+    vec3 covered = coverageAndPlace(id);
     vec3 emission = vec3(0.0);
 #ifdef VCT_EMISSION
     emission = threeWords(at + VCT_FACE_EMISSION) * frame.emissionRange;
 #endif
-    return FaceSums(coverage, threeWords(at + VCT_FACE_ALBEDO), emission, place,
+    return FaceSums(covered.x, threeWords(at + VCT_FACE_ALBEDO), emission, covered.yz,
                     faceSumData[at + VCT_FACE_PLANE], faceSumData[at + VCT_FACE_FRONT],
                     faceSumData[at + VCT_FACE_FRONT_ALBEDO],
                     vec4(float(faceSumData[at + VCT_FACE_CURVE]) / frame.faceSumUnits,

@@ -12,23 +12,23 @@ struct Surface {
     vec3 middle, normal;
 };
 
-// The number of paces after which a surface, such as a wall that stands on the face's, is between the row's
-// middle and what follows, as far as the faces in the voxel `t` paces away tell. `others`: a bit for each
-// face but those of the row.
-float paceOfWall(Row row, Surface surface, float t, uint others) {
-    // Walls are looked for above the surface. Their voxels are at most so many paces away from them.
-    const float height = 0.75, inVoxel = 0.9, none = 1e9;
-    ivec3 voxel = ivec3(floor(row.start + height * surface.normal + t * row.pace));
-    uint cell = cellBeside(row, voxel, others);
-    float found = none;
-    for (uint left = cell & others; left != 0u; left &= left - 1u) {
+// The voxel above the surface in which walls that stand on it are looked for, `paces` from the row's middle.
+ivec3 voxelAbove(Row row, Surface surface, float paces) {
+    const float height = 0.75;
+    return ivec3(floor(row.start + height * surface.normal + paces * row.pace));
+}
+
+// True if one of the faces of a voxel is of a surface, such as a wall that stands on the face's, between the
+// face and the next one of the row. `faces`: a bit for each face of the cell that may be.
+bool hasWall(Row row, Surface surface, ivec3 voxel, uint cell, uint faces) {
+    for (uint left = cell & faces; left != 0u; left &= left - 1u) {
         SurfacePlane plane = facePlane(faceId(cell, findLSB(left)));
         float towards = -dot(row.pace, plane.normal);
         if (towards < 0.1 || abs(dot(plane.normal, surface.normal)) > 0.7) continue;
-        float at = (dot(surface.middle - vec3(voxel) - 0.5, plane.normal) - plane.offset) / towards;
-        if (at > 0.0 && abs(at - t) < inVoxel) found = min(found, at);
+        float above = dot(surface.middle - vec3(voxel) - 0.5, plane.normal) - plane.offset;
+        if (above > 0.0 && above < towards) return true;
     }
-    return found;
+    return false;
 }
 
 // True if a face is of the same surface, and on the same side of a thin wall that crosses it.
@@ -41,26 +41,22 @@ bool isOfSurface(Surface surface, ivec3 voxel, uint cell, uint id) {
     return dot(surface.middle - vec3(voxel) - 0.5, wall.normal) > wall.offset;
 }
 
-// A bit for each of the two faces that follow along a row.
-uint linksAlong(Row row, Surface surface, int face) {
+// True if the next face along a row is linked. `above`: the voxel above the face, with the cell `cellAbove`.
+bool isLinked(Row row, Surface surface, int face, ivec3 above, uint cellAbove) {
     float squared = dot(row.pace, row.pace);
     // Along a steep row the next voxel of the face's axis is too far away. Between two voxels of a slanted
     // row there may be a third one.
     bool isSteep = squared > 2.1, isSlanted = squared > 1.01;
-    if (isSteep) return 0u;
-    uint own = 1u << uint(face), others = VCT_FACE_MASK & ~own, links = 0u;
-    float wall = paceOfWall(row, surface, 0.0, others);
-    for (int steps = 1; steps <= 2; ++steps) {
-        float t = float(steps);
-        if (isSlanted) wall = min(wall, paceOfWall(row, surface, t - 0.5, others));
-        wall = min(wall, paceOfWall(row, surface, t, others));
-        if (wall < t) break;
-        ivec3 voxel = voxelOfRow(row, t);
-        uint cell = cellBeside(row, voxel, own);
-        if (hasFace(cell, face) && isOfSurface(surface, voxel, cell, faceId(cell, face)))
-            links |= uint(steps);
+    if (isSteep) return false;
+    uint own = 1u << uint(face), others = VCT_FACE_MASK & ~own;
+    if (hasWall(row, surface, above, cellAbove, others)) return false;
+    for (float paces = isSlanted ? 0.5 : 1.0; paces < 1.1; paces += 0.5) {
+        ivec3 voxel = voxelAbove(row, surface, paces);
+        if (hasWall(row, surface, voxel, cellBeside(row, voxel, others), others)) return false;
     }
-    return links;
+    ivec3 voxel = voxelOfRow(row, 1.0);
+    uint cell = cellBeside(row, voxel, own);
+    return hasFace(cell, face) && isOfSurface(surface, voxel, cell, faceId(cell, face));
 }
 
 void main() {
@@ -73,11 +69,14 @@ void main() {
         SurfacePlane plane = facePlane(id);
         Surface surface =
             Surface(surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id)), plane.normal);
+        Row first = rowOf(listed, plane, vec2(-1.0, 0.0)), second = rowOf(listed, plane, vec2(0.0, -1.0));
+        ivec3 above = voxelAbove(first, surface, 0.0);
+        uint cellAbove = cellBeside(first, above, VCT_FACE_MASK & ~(1u << uint(listed.face)));
         uint links = 0u;
         for (int side = 0; side < 4; ++side) {
-            Row row = rowOf(listed, plane, (side & 2) == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-            if ((side & 1) == 0) row.pace = -row.pace;
-            links |= linksAlong(row, surface, listed.face) << uint(2 * side);
+            Row row = first;
+            row.pace = ((side & 2) == 0 ? first.pace : second.pace) * ((side & 1) == 0 ? 1.0 : -1.0);
+            if (isLinked(row, surface, listed.face, above, cellAbove)) links |= 1u << uint(side);
         }
         storeLinks(id, links);
     }

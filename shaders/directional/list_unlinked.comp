@@ -7,7 +7,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_SHIFT) uniform uint shifts[VCT_MAX_CASCADES];  // packShift(): their paths
 
 void main() {
-    const int reach = 3;  // of the links
+    const int reach = 2;  // of the links
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {

@@ -70,7 +70,7 @@ void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle,
     vec2 slope = -steepness * vec2(middle.normal[other], middle.normal[faceAxis]);
     // A texel whose middle is in the wall is of neither side. If one side of the wall looks the way of the
     // faces, it has the faces of all voxels which the wall passes (splitByWall() in
-    // directional/resolve.comp).
+    // directional/extents.comp).
     const float rounding = 0.1, perpendicular = 0.15;
     float inWall = 0.5 * thickness * steepness;
     float lean = (face & 1) == 0 ? middle.normal[faceAxis] : -middle.normal[faceAxis];

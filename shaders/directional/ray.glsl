@@ -33,7 +33,7 @@ const float acrossVoxel = 0.08, acrossPlane = 0.03;
 // The index of the static geometry and that of the dynamic objects at a voxel.
 struct VoxelCells {
     uint still, moving;
-    uint atStill;  // a bit for each face whose surface is at the static id (directional/resolve.comp)
+    uint atStill;  // a bit for each face whose surface is at the static id (directional/resolved.glsl)
 };
 VoxelCells cellsOf(ivec3 voxel, uint geometry) {
     uint still = texelFetch(staticIndex, voxel, 0).r;

@@ -6,15 +6,6 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-// The next ray of a face that has not been traced, from `d` on and around. The face has one.
-uint nextUnknown(uint id, uint d) {
-    for (uint n = 0u; n < uint(VCT_DIRECTIONS); ++n, ++d) {
-        d %= uint(VCT_DIRECTIONS);
-        if (cachedHit(id, d) == VCT_HIT_UNKNOWN) return d;
-    }
-    return uint(VCT_DIRECTIONS);
-}
-
 // Traces a cached ray of a face, and replaces what it has hit before in the means over the rays.
 void traceCached(uint id, uint d, uint geometry) {
     FaceRays rays = raysOf(baseFace(id), id);
@@ -82,10 +73,11 @@ void main() {
         uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
         // The rays of a static face become known in this order, unless it has lost some.
         uint d = isDynamic ? lightStep.frame * again : uint(VCT_DIRECTIONS) - unknown;
-        for (uint r = 0u; r < number; ++r, ++d) {
-            d = isDynamic ? d % uint(VCT_DIRECTIONS) : nextUnknown(id, d);
-            if (d >= uint(VCT_DIRECTIONS)) break;
+        for (uint n = 0u; n < uint(VCT_DIRECTIONS) && number > 0u; ++n, ++d) {
+            d %= uint(VCT_DIRECTIONS);
+            if (!isDynamic && cachedHit(id, d) != VCT_HIT_UNKNOWN) continue;
             traceCached(id, d, geometry);
+            --number;
         }
     }
 }

@@ -40,7 +40,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
     return sums;
 }
 
-// The words of each face that resolve.comp makes from the sums.
+// The words of each face that resolve.comp and extents.comp make from the sums.
 std::map<std::uint32_t, std::vector<std::uint32_t>> surfacesOf(const DirectionalVoxels& voxels) {
     const std::vector<std::uint32_t> words = wordsOf(voxels.faceData());
     std::map<std::uint32_t, std::vector<std::uint32_t>> surfaces;

@@ -25,6 +25,10 @@ gl::ProgramDescription resolveProgram(bool emission) {
     return {"directional/resolve", {"directional/resolve.comp"}, emissionDefines(emission)};
 }
 
+gl::ProgramDescription extentsProgram(bool emission) {
+    return {"directional/extents", {"directional/extents.comp"}, emissionDefines(emission)};
+}
+
 gl::ProgramDescription resetListsProgram() {
     return {"directional/reset_lists", {"directional/reset_lists.comp"}, {}};
 }
@@ -80,7 +84,8 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
                                   (dynamicObjects ? 2 : 1) * cascades * grid / VCT_BRICK_SIDE, 1)),
       markStatic_(shaders, markStaticProgram()),
       fillBlocks_(shaders, fillBlocksProgram(emission)),
-      resolve_(shaders, resolveProgram(emission)) {
+      resolve_(shaders, resolveProgram(emission)),
+      extents_(shaders, extentsProgram(emission)) {
     if (!dynamicObjects && cascades == 1) return;
     clearDynamic_ = gl::Program(shaders, clearDynamicProgram(emission));
     clearBlocks_ = gl::Program(shaders, clearBlocksProgram());
@@ -354,11 +359,14 @@ void DirectionalVoxels::resolve(std::uint32_t changed) const {
     bindForVoxelization();
     const bool visitsAll = cascades_ == 1 || hasDynamicObjects();
     if (!visitsAll) listFresh();
-    resolve_.use();
-    if (cascades_ > 1) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
     staticIndex().bind(VCT_TEX_VOXELS);
     dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    index_.dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
+    for (const gl::Program* program : {&resolve_, &extents_}) {
+        program->use();
+        if (cascades_ > 1) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
+        index_.dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
     fillBlocks_.use();
     blocks_.bindImage(VCT_IMAGE_BLOCKS, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);

@@ -21,6 +21,7 @@ gl::ProgramDescription clearDynamicProgram(bool emission);
 gl::ProgramDescription clearBlocksProgram();
 gl::ProgramDescription fillBlocksProgram(bool emission);
 gl::ProgramDescription resolveProgram(bool emission);
+gl::ProgramDescription extentsProgram(bool emission);
 gl::ProgramDescription resetListsProgram();
 gl::ProgramDescription markStaticProgram();
 gl::ProgramDescription unlistStaticProgram(bool emission);
@@ -141,7 +142,7 @@ class DirectionalVoxels {
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
-    gl::Program markStatic_, fillBlocks_, resolve_;
+    gl::Program markStatic_, fillBlocks_, resolve_, extents_;
     gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades
     gl::Program unlistStatic_, scroll_, listFree_, listFresh_, listBlocks_;  // only with cascades
 };

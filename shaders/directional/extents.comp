@@ -1,0 +1,168 @@
+// Writes which part of its plane each face's surface covers in the voxel (FaceExtent), and its opacity there,
+// from what the face's sums cover and the planes of the voxel's other faces (directional/resolve.comp).
+#include "directional/resolved.glsl"
+
+// Points of a plane in the voxel, on a grid of 4 x 4 across the face; a bit for each.
+const int side = 4;
+vec2 pointAcross(int i) {
+    return (vec2(i % side, i / side) + 0.5) / float(side) - 0.5;
+}
+
+float coverageOf(uint points) {
+    return float(bitCount(points)) / float(side * side);
+}
+
+// The points of a plane that are inside of the voxel.
+uint pointsInside(SurfacePlane plane, int axis) {
+    uint points = 0u;
+    for (int i = 0; i < side * side; ++i) {
+        vec2 place = pointAcross(i);
+        float along = (plane.offset - dot(acrossFaces(plane.normal, axis), place)) / plane.normal[axis];
+        if (abs(along) <= 0.5) points |= 1u << uint(i);
+    }
+    return points;
+}
+// The points of a set that are in front of another plane.
+uint pointsInFront(SurfacePlane plane, int axis, uint points, SurfacePlane other) {
+    uint inFront = 0u;
+    for (uint left = points; left != 0u; left &= left - 1u) {
+        int i = findLSB(left);
+        if (dot(pointOnPlane(plane, axis, pointAcross(i)), other.normal) > other.offset)
+            inFront |= 1u << uint(i);
+    }
+    return inFront;
+}
+
+// The face of a voxel that a surface mostly looks towards.
+int mainFace(vec3 normal) {
+    vec3 size = abs(normal);
+    int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * axis + int(normal[axis] < 0.0);
+}
+
+// The plane of another face of the voxel.
+SurfacePlane planeOf(ResolvedFace own, int face) {
+    return facePlane(surfaceId(own.staticCell, own.dynamicCell, face, own.dynamicCell == 0u));
+}
+
+// The part of a voxel's cross-section that a face's surface covers, as its sums have it: the coverage, at most
+// 1, and the middle of the part across the face, from the voxel's middle.
+struct Covered {
+    float coverage;
+    vec2 place;
+};
+Covered coveredPart(ResolvedFace own, int face) {
+    vec3 sum = vec3(0.0);
+    if (hasFace(own.staticCell, face)) sum = coverageAndPlace(faceId(own.staticCell, face));
+    if (hasFace(own.dynamicCell, face)) sum += coverageAndPlace(faceId(own.dynamicCell, face));
+    return Covered(min(sum.x, 1.0), sum.yz / max(sum.x, 1e-4) - 0.5);
+}
+
+// If a thin wall crosses a surface, as one that stands on a floor, the face is of the larger part. But if one
+// side of the wall looks the way of the face, this side may have the same face, so the face is of the part on
+// that side. `points`: of the surface.
+void splitByWall(ResolvedFace own, SurfacePlane plane, uint points, inout FaceExtent extent) {
+    uint others = (own.staticCell | own.dynamicCell) & VCT_FACE_MASK & ~(1u << uint(own.face));
+    int axis = own.face >> 1;
+    for (uint left = others; left != 0u; left &= left - 1u) {
+        int front = findLSB(left);
+        SurfacePlane one = planeOf(own, front);
+        if (abs(dot(one.normal, plane.normal)) > 0.7) continue;
+        for (uint next = left & left - 1u; next != 0u; next &= next - 1u) {
+            int back = findLSB(next);
+            SurfacePlane two = planeOf(own, back);
+            float thickness = one.offset + two.offset;
+            if (dot(one.normal, two.normal) > -0.97 || thickness < -0.05 || thickness > 1.0) continue;
+            uint before = pointsInFront(plane, axis, points, one),
+                 behind = pointsInFront(plane, axis, points, two);
+            // A surface that ends at the wall has no part on its other side.
+            bool ends = ((extent.inFront | extent.behind) & (1u << uint(front) | 1u << uint(back))) != 0u;
+            if (ends || before == 0u || behind == 0u) continue;
+            const float perpendicular = 0.15;
+            float lean = (own.face & 1) == 0 ? one.normal[axis] : -one.normal[axis];
+            bool isBefore = abs(lean) > perpendicular ? lean > 0.0 : bitCount(before) >= bitCount(behind);
+            uint mine = isBefore ? before : behind, bit = 1u << uint(isBefore ? front : back);
+            extent.inFront |= bit;
+            extent.behind |= bit;
+            vec2 sum = vec2(0.0);
+            for (uint rest = mine; rest != 0u; rest &= rest - 1u)
+                sum += pointAcross(findLSB(rest));
+            extent.place = sum / float(bitCount(mine));
+            return;
+        }
+    }
+}
+
+void main() {
+    uint count = visitedFaceCount();
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        uint id = visitedFaceId(i);
+        ResolvedFace own = resolvedFace(id);
+        if (!own.exists) continue;
+        uint at = faceAt(id);
+        int axis = own.face >> 1;
+        SurfacePlane plane = facePlane(id);
+        Covered part = coveredPart(own, own.face);
+        FaceExtent extent = FaceExtent(part.coverage, faceExtent(id).isCurved, part.place, 0u, 0u);
+        vec3 middle = pointOnPlane(plane, axis, part.place);
+        // Coverage has steps of 1/16. They are exact where the surface looks along the axis.
+        float step = abs(plane.normal[axis]) > 0.99 ? 0.06 : 0.09;
+        uint points = pointsInside(plane, axis);
+        float planeCoverage = coverageOf(points);
+        if (part.coverage < planeCoverage - min(step, 0.1)) {
+            // The surface ends in the voxel: at other surfaces, or else as its middle tells.
+            uint cells = own.staticCell | own.dynamicCell;
+            for (uint left = cells & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
+                int face = findLSB(left);
+                if (face == own.face) continue;
+                SurfacePlane other = planeOf(own, face);
+                if (abs(dot(plane.normal, other.normal)) > 0.9) continue;
+                bool isInFront = dot(middle, other.normal) > other.offset;
+                // A surface ends at that one of a thin wall's two planes which it makes an edge with: each is
+                // in front of the other, or each is behind it. The inside of a box does not end its outside.
+                if (hasFace(cells, face ^ 1)) {
+                    vec3 otherMiddle = pointOnPlane(other, face >> 1, coveredPart(own, face).place);
+                    if (isInFront != (dot(otherMiddle, plane.normal) > plane.offset)) continue;
+                }
+                uint inFront = pointsInFront(plane, axis, points, other);
+                uint rest = isInFront ? inFront : points & ~inFront;
+                if (rest == points) continue;
+                if (isInFront)
+                    extent.inFront |= 1u << uint(face);
+                else
+                    extent.behind |= 1u << uint(face);
+                points = rest;
+            }
+            planeCoverage = coverageOf(points);
+        }
+        bool ends = (extent.inFront | extent.behind) != 0u;
+        if (ends) step = 0.12;
+        float opacity = 1.0;
+        if (part.coverage < planeCoverage - step) {
+            float covered = ends
+                                ? planeCoverage
+                                : min(planeCoverage,
+                                      (1.0 - 2.0 * abs(part.place.x)) * (1.0 - 2.0 * abs(part.place.y)));
+            // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
+            opacity = part.coverage >= covered - step ? 0.996 : part.coverage / max(covered, 0.05);
+        }
+        // A surface that looks past its face is met at the face that it looks towards. There what it covers
+        // is known better: on a round column of one voxel, such faces would make it half as wide again. The
+        // two faces of a flat surface have the same plane. Those of a round one have not, but look alike.
+        int most = mainFace(plane.normal);
+        if (abs(plane.normal[axis]) < 0.3 && hasFace(own.staticCell | own.dynamicCell, most)) {
+            uint mostId = surfaceId(own.staticCell, own.dynamicCell, most, own.dynamicCell == 0u);
+            SurfacePlane other = facePlane(mostId);
+            bool isRound = extent.isCurved && faceExtent(mostId).isCurved;
+            if (dot(plane.normal, other.normal) > (isRound ? 0.8 : 0.97) &&
+                (isRound || abs(plane.offset - other.offset) < 0.05)) {
+                opacity = 0.0;
+                extent.inFront = extent.behind = 0u;
+            }
+        }
+        splitByWall(own, plane, points, extent);
+        faceData[at + VCT_FACE_SURFACE] = packSurface(faceData[at + VCT_FACE_SURFACE], opacity);
+        faceData[at + VCT_FACE_EXTENT] = packExtent(extent);
+    }
+}
