@@ -45,8 +45,8 @@ SurfacePlane planeOf(ResolvedFace own, int face) {
     return facePlane(surfaceId(own.staticCell, own.dynamicCell, face, own.dynamicCell == 0u));
 }
 
-// The part of a voxel's cross-section that a face's surface covers, as its sums have it: the coverage, at most
-// 1, and the middle of the part across the face, from the voxel's middle.
+// The part of a voxel's cross-section that a face's surface covers, as its sums have it: the coverage, at
+// most 1, and the middle of the part across the face, from the voxel's middle.
 struct Covered {
     float coverage;
     vec2 place;
@@ -58,39 +58,64 @@ Covered coveredPart(ResolvedFace own, int face) {
     return Covered(min(sum.x, 1.0), sum.yz / max(sum.x, 1e-4) - 0.5);
 }
 
-// If a thin wall crosses a surface, as one that stands on a floor, the face is of the larger part. But if one
-// side of the wall looks the way of the face, this side may have the same face, so the face is of the part on
-// that side. `points`: of the surface.
-void splitByWall(ResolvedFace own, SurfacePlane plane, uint points, inout FaceExtent extent) {
-    uint others = (own.staticCell | own.dynamicCell) & VCT_FACE_MASK & ~(1u << uint(own.face));
+// The face of a thin wall behind which a surface goes on, and the points of the surface in front of it.
+struct WallSide {
+    int face;  // -1: there is no wall
+    uint points;
+};
+
+// If a thin wall crosses a surface, as one that stands on a floor, the surface's face is of the larger part.
+// One side of the wall may look the way of the face and have the same face, so the face is of the part on
+// that side. `at`: the voxel with the wall, which is the surface's or the one in front.
+// `points`: of the surface. `but`: a bit per face that is not of a wall.
+WallSide wallSide(ResolvedFace own, ResolvedFace at, SurfacePlane plane, uint points, uint but) {
     int axis = own.face >> 1;
+    plane.offset += dot(plane.normal, vec3(own.voxel - at.voxel));
+    uint others = (at.staticCell | at.dynamicCell) & VCT_FACE_MASK & ~but;
     for (uint left = others; left != 0u; left &= left - 1u) {
         int front = findLSB(left);
-        SurfacePlane one = planeOf(own, front);
+        SurfacePlane one = planeOf(at, front);
         if (abs(dot(one.normal, plane.normal)) > 0.7) continue;
         for (uint next = left & left - 1u; next != 0u; next &= next - 1u) {
             int back = findLSB(next);
-            SurfacePlane two = planeOf(own, back);
+            SurfacePlane two = planeOf(at, back);
             float thickness = one.offset + two.offset;
             if (dot(one.normal, two.normal) > -0.97 || thickness < -0.05 || thickness > 1.0) continue;
             uint before = pointsInFront(plane, axis, points, one),
                  behind = pointsInFront(plane, axis, points, two);
-            // A surface that ends at the wall has no part on its other side.
-            bool ends = ((extent.inFront | extent.behind) & (1u << uint(front) | 1u << uint(back))) != 0u;
-            if (ends || before == 0u || behind == 0u) continue;
             const float perpendicular = 0.15;
             float lean = (own.face & 1) == 0 ? one.normal[axis] : -one.normal[axis];
             bool isBefore = abs(lean) > perpendicular ? lean > 0.0 : bitCount(before) >= bitCount(behind);
-            uint mine = isBefore ? before : behind, bit = 1u << uint(isBefore ? front : back);
-            extent.inFront |= bit;
-            extent.behind |= bit;
-            vec2 sum = vec2(0.0);
-            for (uint rest = mine; rest != 0u; rest &= rest - 1u)
-                sum += pointAcross(findLSB(rest));
-            extent.place = sum / float(bitCount(mine));
-            return;
+            WallSide side = isBefore ? WallSide(front, before) : WallSide(back, behind);
+            if (side.points != 0u) return side;
         }
     }
+    return WallSide(-1, 0u);
+}
+
+// Gives a face to one side of a thin wall that crosses its surface. Where the surface is near the voxel in
+// front, so little of the wall may be in its own voxel that no fragment is.
+void splitByWall(ResolvedFace own, SurfacePlane plane, uint points, inout FaceExtent extent) {
+    const float near = 0.25;
+    int axis = own.face >> 1;
+    uint ownBit = 1u << uint(own.face), bits = 0u;
+    // A surface that ends at the wall has no part on its other side.
+    WallSide wall = wallSide(own, own, plane, points, ownBit | extent.inFront | extent.behind);
+    float outwards = (own.face & 1) == 0 ? plane.normal[axis] : -plane.normal[axis];
+    if (wall.face < 0 && outwards > 0.7 && 0.5 - plane.offset / outwards < near) {
+        ivec3 voxel = voxelInFront(own.voxel, own.face);
+        if (voxel != clampToCascade(voxel, own.voxel, frame.gridSide)) return;
+        wall = wallSide(own, cellsIn(own, voxel), plane, points, ownBit);
+        bits = ownBit;
+    }
+    if (wall.face < 0) return;
+    bits |= 1u << uint(wall.face);
+    extent.inFront |= bits;
+    extent.behind |= bits;
+    vec2 sum = vec2(0.0);
+    for (uint rest = wall.points; rest != 0u; rest &= rest - 1u)
+        sum += pointAcross(findLSB(rest));
+    extent.place = sum / float(bitCount(wall.points));
 }
 
 void main() {
@@ -140,10 +165,9 @@ void main() {
         if (ends) step = 0.12;
         float opacity = 1.0;
         if (part.coverage < planeCoverage - step) {
-            float covered = ends
-                                ? planeCoverage
-                                : min(planeCoverage,
-                                      (1.0 - 2.0 * abs(part.place.x)) * (1.0 - 2.0 * abs(part.place.y)));
+            float covered =
+                ends ? planeCoverage
+                     : min(planeCoverage, (1.0 - 2.0 * abs(part.place.x)) * (1.0 - 2.0 * abs(part.place.y)));
             // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
             opacity = part.coverage >= covered - step ? 0.996 : part.coverage / max(covered, 0.05);
         }

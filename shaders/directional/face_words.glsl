@@ -86,9 +86,24 @@ struct FaceExtent {
     bool isCurved;
     vec2 place;  // middle of the covered part across the face, from the voxel's middle
     // A bit per face of the voxel: the covered part is in front of that face's plane, or behind it. Both: the
-    // surface goes on behind that face, which is of a thin wall, and the voxel beside it has that part.
+    // surface goes on behind that face, which is of a thin wall, and the voxel beside it has that part. Both
+    // for the surface's own face: the thin wall's face is of the voxel in front.
     uint inFront, behind;
 };
+
+ivec3 voxelInFront(ivec3 voxel, int face) {
+    return voxel + ((face & 1) == 0 ? 1 : -1) * ivec3(equal(ivec3(face >> 1), ivec3(0, 1, 2)));
+}
+
+// The face of a thin wall behind which a surface goes on; -1: none. `own`: the surface's face of `voxel`.
+struct WallFace {
+    ivec3 voxel;
+    int face;
+};
+WallFace wallAcross(FaceExtent extent, ivec3 voxel, int own) {
+    uint both = extent.inFront & extent.behind, isInFront = both >> uint(own) & 1u;
+    return WallFace(isInFront != 0u ? voxelInFront(voxel, own) : voxel, findLSB(both & ~(1u << uint(own))));
+}
 uint packExtent(FaceExtent extent) {
     uvec2 place = uvec2(clamp(extent.place + 0.5, 0.0, 1.0) * 62.0 + 0.5);
     return uint(min(extent.coverage, 1.0) * 127.0 + 0.5) << 25 | (extent.isCurved ? 1u << 24 : 0u) |

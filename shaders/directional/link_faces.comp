@@ -31,14 +31,15 @@ bool hasWall(Row row, Surface surface, ivec3 voxel, uint cell, uint faces) {
     return false;
 }
 
-// True if a face is of the same surface, and on the same side of a thin wall that crosses it.
-bool isOfSurface(Surface surface, ivec3 voxel, uint cell, uint id) {
+// True if the face of a voxel of the row is of the same surface, and on the same side of a thin wall that
+// crosses it.
+bool isOfSurface(Row row, Surface surface, ivec3 voxel, int face, uint id) {
     if (dot(facePlane(id).normal, surface.normal) < 0.5) return false;
-    FaceExtent extent = faceExtent(id);
-    uint walls = extent.inFront & extent.behind;
-    if (walls == 0u) return true;
-    SurfacePlane wall = facePlane(faceId(cell, findLSB(walls)));
-    return dot(surface.middle - vec3(voxel) - 0.5, wall.normal) > wall.offset;
+    WallFace wall = wallAcross(faceExtent(id), voxel, face);
+    if (wall.face < 0) return true;
+    uint cell = cellBeside(row, wall.voxel, 1u << uint(wall.face));
+    SurfacePlane plane = facePlane(faceId(cell, wall.face));
+    return dot(surface.middle - vec3(wall.voxel) - 0.5, plane.normal) > plane.offset;
 }
 
 // True if the next face along a row is linked. `above`: the voxel above the face, with the cell `cellAbove`.
@@ -56,7 +57,7 @@ bool isLinked(Row row, Surface surface, int face, ivec3 above, uint cellAbove) {
     }
     ivec3 voxel = voxelOfRow(row, 1.0);
     uint cell = cellBeside(row, voxel, own);
-    return hasFace(cell, face) && isOfSurface(surface, voxel, cell, faceId(cell, face));
+    return hasFace(cell, face) && isOfSurface(row, surface, voxel, face, faceId(cell, face));
 }
 
 void main() {

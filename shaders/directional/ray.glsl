@@ -45,19 +45,13 @@ uint faceOf(VoxelCells cells, int face) {
 }
 
 // True if a surface with this extent covers a point of its plane, both from the voxel's middle. `dice`: 0..1;
-// a surface with an opacity below 1 stops the share of the rays. `wall`: the face of a thin wall that has the
-// point on its other side; -1: none.
-bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 point, float dice, out int wall) {
+// a surface with an opacity below 1 stops the share of the rays.
+bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 point, float dice) {
     FaceExtent extent = unpackExtent(extentWord);
-    wall = -1;
-    for (uint left = extent.inFront | extent.behind; left != 0u; left &= left - 1u) {
+    for (uint left = extent.inFront ^ extent.behind; left != 0u; left &= left - 1u) {
         int face = findLSB(left);
         SurfacePlane other = facePlane(faceOf(cells, face));
         float above = dot(point, other.normal) - other.offset;
-        if ((extent.inFront & extent.behind & 1u << uint(face)) != 0u) {
-            if (above < -acrossPlane) wall = face;
-            continue;
-        }
         if ((extent.inFront >> uint(face) & 1u) != 0u ? above < -acrossPlane : above > acrossPlane)
             return false;
     }
@@ -69,26 +63,35 @@ bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 poin
     return dice < opacityOf(surface);
 }
 
-// The id of the face that goes on behind a thin wall, beside the voxel; noFace: unknown.
-uint faceBehind(VoxelCells cells, ivec3 voxel, int face, int wall) {
-    vec3 normal = facePlane(faceOf(cells, wall)).normal * vec3(notEqual(ivec3(face >> 1), ivec3(0, 1, 2)));
+// The id of the face that goes on behind a thin wall, in the voxel beside or in the one behind or before
+// that; noFace: unknown.
+uint faceBehind(ivec3 voxel, int face, vec3 wallNormal) {
+    ivec3 towards = voxelInFront(ivec3(0), face);
+    vec3 normal = wallNormal * vec3(equal(towards, ivec3(0)));
     vec3 size = abs(normal);
     int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
     ivec3 beside = voxel - ivec3(sign(normal) * vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
-    if (beside != clampToCascade(beside, voxel, frame.gridSide)) return noFace;
-    uint cell = texelFetch(staticIndex, beside, 0).r;
-    return hasFace(cell, face) ? faceId(cell, face) : noFace;
+    uint found = noFace;
+    for (int n = 0; n < 3 && found == noFace; ++n) {
+        ivec3 at = beside + towards * (n == 0 ? 0 : n == 1 ? -1 : 1);
+        if (at != clampToCascade(at, voxel, frame.gridSide)) continue;
+        uint cell = texelFetch(staticIndex, at, 0).r;
+        if (hasFace(cell, face)) found = faceId(cell, face);
+    }
+    return found;
 }
 
-// The id of the first face of a voxel that a ray meets. `start`: of the ray.
-// `faces`: a bit for each face that the ray may meet. `meetsBacks`: whether their backs count. `reach`: limit
-// of the distance, then that of the hit.
-uint firstFace(VoxelCells cells, ivec3 voxel, uint faces, bool meetsBacks, vec3 start, vec3 direction,
-               float dice, inout float reach) {
+// The id of the first face of a voxel that a ray meets. `start`: of the ray. `reach`: limit of the distance,
+// then that of the hit.
+uint firstFace(ivec3 voxel, uint geometry, vec3 start, vec3 direction, float dice, inout float reach) {
+    VoxelCells cells = cellsOf(voxel, geometry);
+    bool meetsBacks = (geometry & backsOfFaces) != 0u;
     vec3 origin = start - vec3(voxel) - 0.5;
-    int first = -1, wall = -1;
+    int first = -1;
     bool isBackFirst = false;
     float best = 0.0, limit = reach;
+    uint faces = VCT_FACE_MASK & (((geometry & staticGeometry) != 0u ? cells.still : 0u) |
+                                  ((geometry & dynamicGeometry) != 0u ? cells.moving : 0u));
     for (uint left = faces; left != 0u; left &= left - 1u) {
         int face = findLSB(left), axis = face >> 1;
         uint at = faceAt(faceOf(cells, face));
@@ -109,20 +112,26 @@ uint firstFace(VoxelCells cells, ivec3 voxel, uint faces, bool meetsBacks, vec3 
         if (isBack) weight = 0.0;
         bool isNearer = distance < reach - tie || distance < reach + tie && weight > best;
         if (!isNearer) continue;
-        int behind;
-        if (!covers(cells, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice, behind)) continue;
-        wall = behind;
+        if (!covers(cells, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice)) continue;
         reach = distance;
         best = weight;
         first = face;
         isBackFirst = isBack;
     }
     if (first < 0) return noFace;
-    if (wall >= 0 && !isBackFirst) {
-        uint behind = faceBehind(cells, voxel, first, wall);
-        if (behind != noFace || meetsBacks) return behind == noFace ? backOfFace : behind;
+    if (isBackFirst) return backOfFace;
+    // Behind a thin wall the surface is of the face beside.
+    WallFace wall = wallAcross(faceExtent(faceOf(cells, first)), voxel, first);
+    if (wall.face >= 0) {
+        SurfacePlane plane = facePlane(faceOf(cellsOf(wall.voxel, geometry), wall.face));
+        vec3 point = start + reach * direction - vec3(wall.voxel) - 0.5;
+        if (dot(point, plane.normal) - plane.offset < -acrossPlane) {
+            uint behind = faceBehind(voxel, first, plane.normal);
+            if (behind != noFace) return behind;
+            if (meetsBacks) return backOfFace;
+        }
     }
-    return isBackFirst ? backOfFace : faceId(hasFace(cells.still, first) ? cells.still : cells.moving, first);
+    return faceId(hasFace(cells.still, first) ? cells.still : cells.moving, first);
 }
 
 // The layers of the texture of occupied voxels that a ray reads: those from `first` on, and behind them by
@@ -188,12 +197,8 @@ uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
             side = emptySide(voxel, ray.layers);
         }
         if (side != 0) break;
-        VoxelCells cells = cellsOf(voxel, ray.geometry);
-        uint faces = VCT_FACE_MASK & (((ray.geometry & staticGeometry) != 0u ? cells.still : 0u) |
-                                      ((ray.geometry & dynamicGeometry) != 0u ? cells.moving : 0u));
         float found = end;
-        id = firstFace(cells, voxel, faces, (ray.geometry & backsOfFaces) != 0u, origin, ray.direction,
-                       ray.dice, found);
+        id = firstFace(voxel, ray.geometry, origin, ray.direction, ray.dice, found);
         if (id != noFace) now = found;
         side = 1;
     }

@@ -2,6 +2,7 @@
 // and dynamic geometry share has two ids: at the static one are both together, and at the dynamic one is the
 // static geometry alone, for rays whose hits are kept while objects move. In a scene with cascades in which
 // nothing moves, they visit the faces that have no light yet; the others stay as they are.
+#include "directional/cascades.glsl"
 #include "directional/visited.glsl"
 #include "directional/face_sums.glsl"
 
@@ -22,4 +23,12 @@ ResolvedFace resolvedFace(uint id) {
     uint dynamicCell = faceCount(dynamicList) > 0u ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
     if (listed.isMerged || !hasFace(dynamicCell, listed.face)) dynamicCell = 0u;
     return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, !(listed.isMerged && isStatic));
+}
+
+// The cells of another voxel, with dynamic geometry if the face's surface has any.
+ResolvedFace cellsIn(ResolvedFace own, ivec3 voxel) {
+    own.voxel = voxel;
+    own.staticCell = texelFetch(staticIndex, voxel, 0).r;
+    if (own.dynamicCell != 0u) own.dynamicCell = texelFetch(dynamicIndex, voxel, 0).r;
+    return own;
 }

@@ -52,11 +52,13 @@ vec3 besideWall(uint word, vec3 position, vec3 moved, vec3 normal) {
     vec2 slope = vec2(unpackField(word, 10, 5, wallOtherSlopes), unpackField(word, 4, 6, wallFaceSlopes));
     float wall = unpackField(word, 23, 9, wallPositions) + dot(slope, position.yz - 3.0);
     bool isAbove = position.x + tolerance * (normal.x - dot(slope, normal.yz)) > wall;
-    float sign = isAbove ? 1.0 : -1.0, distance = unpackField(word, isAbove ? 19 : 15, 4, wallDistances);
-    float nearest = ceil(sign * wall + distance - 0.5) + 0.5;
+    float way = isAbove ? 1.0 : -1.0, distance = unpackField(word, isAbove ? 19 : 15, 4, wallDistances);
+    // The filter reads two layers of texels along each of the other axes. The wall is nearer to one of them.
+    vec2 nearer = way * sign(slope), layer = nearer * ceil(nearer * (position.yz - 0.5)) + 0.5;
+    float nearest = ceil(way * (wall + dot(slope, layer - position.yz)) + distance - 0.5) + 0.5;
     // At the middle of a texel, rounding must not give the texel before it a weight.
     const float rounding = 0.001;
-    float aside = clamp(sign * max(sign * position.x, nearest), 0.5, 5.5) + rounding - position.x;
+    float aside = clamp(way * max(way * position.x, nearest), 0.5, 5.5) + rounding - position.x;
     // It stays on the surface.
     float steepness = clamp(-normal.x / (abs(normal.z) > 0.1 ? normal.z : 0.1), -2.0, 2.0);
     return moved + aside * vec3(1.0, 0.0, steepness);
