@@ -54,11 +54,6 @@ int directionNumber(int i) {
 int cachedDirection(FaceRays rays, uint d) {
     return directionNumber(rays.place * VCT_DIRECTIONS + int(d));
 }
-// The number of refining direction `i`. Neighbouring faces begin at different ones.
-int refiningDirection(FaceRays rays, uint i) {
-    return directionNumber(rays.place + int(i));
-}
-
 uint traceFrom(FaceRays rays, vec3 direction, float reach, int number, uint geometry, out float distance) {
     RayHit hit = traceRay(rays.start, rays.cascade, direction, reach, diceOf(number, rays.voxel), geometry);
     distance = hit.distance;

@@ -1,4 +1,5 @@
-// At rest, traces rays that refine the mean of each face. Their hits are not kept.
+// At rest, traces rays that refine the mean of each face. Their hits are not kept. All faces trace the same
+// directions at the same time, so that neighbours walk through the same voxels together.
 #include "directional/face_rays.glsl"
 #include "directional/visited.glsl"
 
@@ -14,7 +15,7 @@ void main() {
         FaceRays rays = raysOf(listed, id);
         vec4 sum = vec4(0.0);
         for (uint r = 0u; r < lightStep.refiningRays; ++r) {
-            int number = refiningDirection(rays, lightStep.firstRefining + r);
+            int number = directionNumber(int(lightStep.firstRefining + r));
             vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
             float distance;
             uint hit = traceFrom(rays, towards, rays.reach, number, allGeometry, distance);
