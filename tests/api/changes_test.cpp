@@ -69,7 +69,6 @@ TEST_F(Changes, OfTheSkysPictureGiveThePictureOfAFreshScene) {
 
 TEST_F(Changes, HiddenInstancesAreAsIfTheyWereNotThere) {
     SceneDescription& scene = described_.scene;
-    scene.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
     SceneDescription without = scene;
     without.instances.erase(without.instances.begin() + 1);
     scene.instances[1].isVisible = false;
@@ -91,6 +90,7 @@ TEST_F(Changes, HiddenInstancesAreAsIfTheyWereNotThere) {
 // The box moves towards the sun, far behind the camera.
 TEST_F(Changes, OutsideOfTheVoxelsAreThoseOfAHiddenInstance) {
     SceneDescription& scene = described_.scene;
+    scene.bounds.reset();
     GlobalIllumination light(getProcAddress, scene, optionsOf("mobile"));
     const Image before = picture(light);
     EXPECT_NEAR(light.voxelBounds().max[0], 1.6, 0.1);
@@ -130,7 +130,6 @@ TEST_F(Changes, InsideOfTheBoundsGiveThePictureOfAFreshScene) {
 TEST_F(Changes, OfEmissionGiveThePictureOfAFreshScene) {
     for (const bool isLarge : {false, true}) {
         SceneDescription scene = described_.scene;
-        scene.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
         if (isLarge) scene.instances[2].worldFromObject.columns[10] = 1.2;
         GlobalIllumination light(getProcAddress, scene, optionsOf("mobile"));
         const Image before = picture(light);
@@ -147,7 +146,6 @@ TEST_F(Changes, OfEmissionGiveThePictureOfAFreshScene) {
 // The box is sheared and made larger, and moves.
 TEST_F(Changes, OfVerticesGiveThePictureOfAFreshScene) {
     SceneDescription& scene = described_.scene;
-    scene.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
     scene.meshes[1].deforms = true;
     std::vector<float> positions = described_.positions, both;
     for (std::size_t i = 0; i < positions.size(); i += 3) {

@@ -11,10 +11,7 @@ constexpr std::size_t floorAt = 0, boxAt = 1, emitterAt = 2;
 
 class Contents : public Embedded {
   protected:
-    Contents() {
-        scene_.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
-        scene_.maxInstances = 8;
-    }
+    Contents() { scene_.maxInstances = 8; }
     Image picture(GlobalIllumination& light) const {
         return imageOf(afterBounces(light).radiance, light.radianceUnit());
     }

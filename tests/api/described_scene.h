@@ -47,6 +47,9 @@ struct Described {
         scene.sun.illuminance = 3;
         scene.skyRadiance = {0.1F, 0.2F, 0.3F};
         loaded = load(file);
+        // Twice the scene's: voxels of 10 cm, so that light takes a quarter of the time.
+        scene.bounds = Box{{-3, -2, -3}, {3, 2, 3}};
+        loaded.boundsWorld = {{-3, -2, -3}, {3, 2, 3}};
     }
 
     void add(std::array<float, 3> color, std::array<float, 3> emission, float roughness, glm::dvec3 centre,

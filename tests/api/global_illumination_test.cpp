@@ -168,7 +168,6 @@ TEST_F(Embedded, PartsMakeThePicture) {
 TEST_F(Embedded, AMovedInstanceIsSeenAtItsNewPlace) {
     SceneDescription& scene = described_.scene;
     scene.instances[1].moves = true;
-    scene.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
     GlobalIllumination light(getProcAddress, scene, optionsOf("mobile"));
     const View view = described_.view();
     const Image before = imageOf(light.render(view).sunVisibility);

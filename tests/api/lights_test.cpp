@@ -63,6 +63,7 @@ TEST_F(Lights, GiveThePictureOfTheProgram) {
     const Image expected = readImage(program.folder.file("gi-cone-shadow.exr"));
 
     described_.scene.lights = {point_, spot_, moon_};
+    described_.scene.bounds.reset();
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
     const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
     const Difference difference =

@@ -105,6 +105,13 @@ Settings withCascades(int pixels, int cascades) {
     return settings;
 }
 
+// For tests of voxels and lists, whatever their light.
+Settings withFewRays(Settings settings, int cascades) {
+    settings.cascades = cascades;
+    settings.gather.directions = settings.gather.rays;
+    return settings;
+}
+
 // A plane through three cascades. A border would show as a step.
 TEST(CascadesOnAPlane, SeeTheWholeSkyAndNotThemselves) {
     const Context context = openContext(Backend::egl);
@@ -256,8 +263,7 @@ TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
 TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
-    Settings settings = smallPreset("mobile");
-    settings.cascades = 3;
+    const Settings settings = withFewRays(smallPreset("mobile"), 3);
     const auto makeOf = [&](const Scene& of) { return makeRenderer(context, of, chooseLight(of), settings); };
     Renderer walking = makeOf(scene);
     Cascades places(settings.cascades, settings.grid);
@@ -302,8 +308,7 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
 TEST(CascadesOnAWalk, SetUniformsOnlyOfProgramsThatHaveThem) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
-    Settings settings = smallPreset("mobile");
-    settings.cascades = 3;
+    const Settings settings = withFewRays(smallPreset("mobile"), 3);
     std::map<GLint, int> missing;
     const GlSpy<&gl::Uniform1ui> uniforms([&](GLint location, GLuint) {
         GLint program = 0;
@@ -345,7 +350,7 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
     }
     scene = finished(std::move(scene));
     const auto makeHere = [&] {
-        return makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
+        return makeRenderer(context, scene, noLight(), withFewRays(mobileAt(32), 3));
     };
     Renderer walking = makeHere();
     Cascades places(3, walking.volume().grid);
@@ -445,7 +450,7 @@ TEST(CascadesOnAWalk, FindTheLightOfEmitters) {
 TEST(CascadesOnAWalk, UseTheirIdsAgain) {
     const Context context = openContext(Backend::egl);
     const Scene scene = hall();
-    Renderer walking = makeRenderer(context, scene, noLight(), withCascades(32, 3));
+    Renderer walking = makeRenderer(context, scene, noLight(), withFewRays(mobileAt(32), 3));
     const auto capacity = [&] { return walking.directional()->voxels().capacities()[0]; };
     std::uint32_t afterFirst = 0;
     for (int lap = 0; lap < 3; ++lap) {

@@ -54,7 +54,9 @@ Scene roomWithLitPatch(float albedo) {
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].emissive = glm::vec3(1.0F);
     addQuad(scene, {-0.25, 0.98, -0.25}, {patchSide, 0, 0}, {0, 0, patchSide}, 1);
-    return finished(std::move(scene));
+    scene = finished(std::move(scene));
+    scene.boundsWorld = {glm::dvec3(-2.0), glm::dvec3(2.0)};  // 30 voxels along a wall
+    return scene;
 }
 
 // A preset refines the light in further steps, each of which adds a bounce.

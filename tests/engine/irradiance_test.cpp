@@ -147,9 +147,10 @@ TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
     Scene scene = emptyScene();
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].baseColor = glm::vec4(0, 0, 0, 1);
-    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+    addQuad(scene, {-0.5, 0, -0.5}, {0, 0, 1}, {1, 0, 0});
     addBall(scene, radius, {0, radius, 0}, 1);
     scene = finished(std::move(scene));
+    scene.boundsWorld = {glm::dvec3(-1.0), glm::dvec3(1.0)};
     for (const int grid : {64, 128}) {
         Settings settings = mobileAt(4 * pictureSide);
         settings.gather.refinedDirections = 512;
