@@ -21,7 +21,7 @@ struct Requirement {
 // The driver's limits for settings (engine/driver_needs.h).
 struct Limits {
     int texture2d = 0, texture3d = 0, framebufferWidth = 0;  // texels
-    int fragmentStorageBlocks = 0, combinedOutputs = 0;
+    int fragmentStorageBlocks = 0;
 };
 
 struct Capabilities {

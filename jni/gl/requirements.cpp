@@ -151,7 +151,7 @@ std::vector<Requirement> evaluateRequirements(const DriverReport& driver) {
 
 Limits limitsOf(const std::function<GLint(GLenum limit)>& limit) {
     return {limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_3D_TEXTURE_SIZE), limit(GL_MAX_FRAMEBUFFER_WIDTH),
-            limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS), limit(GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES)};
+            limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS)};
 }
 
 bool isSoftwareRenderer(const std::string& renderer) {

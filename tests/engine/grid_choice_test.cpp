@@ -29,7 +29,7 @@ Scene floorWith(int boxes, const glm::dvec3& sides) {
 
 gl::Capabilities driverWith(int texture3d) {
     gl::Capabilities capabilities;
-    capabilities.limits = {8192, texture3d, 8192, 4, 8};
+    capabilities.limits = {8192, texture3d, 8192, 4};
     return capabilities;
 }
 

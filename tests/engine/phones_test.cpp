@@ -115,7 +115,7 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
     thesis.grid = 512;
     thesis.shadowMapSize = 4096;
     gl::Capabilities enough;
-    enough.limits = {4096, 1024, 2048, 3, 6};
+    enough.limits = {4096, 1024, 2048, 3};
     for (const Settings& settings : {mobile, finest, thesis, nested})
         EXPECT_NO_THROW(requireNeeds(settings, enough));
     const struct {
