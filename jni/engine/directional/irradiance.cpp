@@ -134,7 +134,8 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
     isBakedStep_ = false;
-    reserveFaces(voxels, change.voxelized != DirectionalVoxels::allCascades);
+    // Lists that grow lose the faces that the steps visit.
+    if (reserveFaces(voxels, change.voxelized != DirectionalVoxels::allCascades)) plan_.listsVisited = true;
     if (isBakedStep_) schedule_.end();
     reserveBricks(voxels);
     uploadUniforms(objects, allBounces);
@@ -264,7 +265,7 @@ std::size_t Irradiance::hitWords(std::uint32_t ids) const {
     return groups * VCT_FACE_GROUP * static_cast<std::size_t>(settings_.directions) / 4 * 3;
 }
 
-void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
+bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     const FaceCapacities before = std::exchange(capacities_, voxels.capacities());
     const std::uint32_t oldIds = std::exchange(idCapacity_, voxels.idCapacity());
     constexpr std::uint32_t mostIds = VCT_HIT_NEAR - VCT_HIT_FACE;
@@ -278,7 +279,8 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
         blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 32, std::min(all, 1U << 18U)});
     }
-    if (oldIds != 0 && before == capacities_ && blockedBefore == blockedCapacity_) return;
+    const bool grows = before != capacities_;
+    if (oldIds != 0 && !grows && blockedBefore == blockedCapacity_) return false;
     // The buffer begins with the faces' words. A word per face for its next id or its last change follows,
     // then the hits, and the rays that moving objects block.
     const std::size_t perFace = irradianceWords();
@@ -321,6 +323,7 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     faceIrradiance_ = {};
     faceIrradiance_ = gl::Buffer("face irradiance", GL_SHADER_STORAGE_BUFFER, words.size() * sizeof words[0],
                                  words.data(), GL_DYNAMIC_COPY);
+    return grows;
 }
 
 namespace {

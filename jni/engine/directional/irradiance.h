@@ -99,7 +99,8 @@ class Irradiance {
 
   private:
     void reserveBricks(const DirectionalVoxels& voxels);
-    void reserveFaces(const DirectionalVoxels& voxels, bool keepsHits);
+    // Returns true if the lists of faces have grown.
+    bool reserveFaces(const DirectionalVoxels& voxels, bool keepsHits);
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
