@@ -214,7 +214,7 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
 
 void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved) {
     // Another move uses the ids of faces that the last one has left, so all turns that are left come now.
-    constexpr std::uint32_t turns = 8;
+    constexpr std::uint32_t turns = 4;
     const bool endsTurns = moved != 0 && forwardTurns_ > 0;
     forwardedCascades_ |= moved;
     forwardTurns_ = endsTurns ? 1 : moved != 0 ? turns : forwardTurns_;

@@ -70,7 +70,7 @@ class Irradiance {
     // `allBounces`: faces also reflect their irradiance; false: the first bounce only.
     void beginStep(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects, bool allBounces);
     bool isDirectOutdated() const { return plan_.updatesDirect || plan_.updatesEmitters; }
-    bool isGatherNeeded() const { return !isBakedStep_; }
+    bool isGatherNeeded() const { return !isBakedStep_ && plan_.gathers; }
     // Dispatches the current program, of directional/visited.glsl, over the faces that the step visits.
     void dispatchOverVisited(const DirectionalVoxels& voxels) const;
     void gather(const DirectionalVoxels& voxels);
