@@ -1,5 +1,5 @@
-// Clears the locations of the bricks of face irradiance, and the static walls of cascades that have moved.
-// The bricks themselves are cleared where they are placed.
+// Clears the locations of the bricks of face irradiance that are placed again, and the static walls of
+// cascades that have moved. The bricks themselves are cleared where they are placed.
 #include "directional/cascades.glsl"
 #include "directional/walls.glsl"
 #include "shared/commands.glsl"
@@ -7,14 +7,17 @@
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
 layout(r32ui, binding = VCT_IMAGE_STATIC_WALLS) writeonly uniform highp uimage3D staticWalls;
+layout(location = VCT_UNIFORM_PLACED) uniform uint placed;   // a bit per cascade whose bricks are placed
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade whose walls are cleared
 
 void main() {
     ivec3 texel = ivec3(gl_GlobalInvocationID), size = imageSize(brickSlots);
-    if (texel == ivec3(0)) fullBricks = flatBricks = 0u;
     if (any(greaterThanEqual(texel, size))) return;
-    imageStore(brickSlots, texel, uvec4(0u));
-    int cascade = texel.z / (frame.gridSide >> VCT_BRICK_LEVEL);
+    int side = frame.gridSide >> VCT_BRICK_LEVEL, cascade = texel.z / side;
+    if ((placed >> uint(cascade) & 1u) != 0u) {
+        imageStore(brickSlots, texel, uvec4(0u));
+        if (texel == ivec3(0, 0, cascade * side)) fullBricks[cascade] = flatBricks[cascade] = 0u;
+    }
     if ((moved >> uint(cascade) & 1u) == 0u) return;
     for (int word = 0; word < 2; ++word)
         imageStore(staticWalls, wallTexel(texel, word, size.z), uvec4(0u));

@@ -1,4 +1,6 @@
 // Writes the irradiance of the faces, or their ambient visibility, into the bricks, where pixels look it up.
+// After a move of cascades these are the faces of bricks that were placed again, and, in another dispatch,
+// those that the light step has visited.
 #include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"
 #include "directional/irradiance.glsl"
@@ -6,6 +8,7 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(location = VCT_UNIFORM_SHOWS_VISIBILITY) uniform uint showsVisibility;
+layout(location = VCT_UNIFORM_PLACED) uniform uint filled;  // a bit per cascade whose faces are written
 
 // Stores a texel in the brick of the face's block, and in the borders of neighbouring bricks.
 void storeInBricks(ListedFace listed, vec4 texel) {
@@ -38,7 +41,7 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
-        if (listed.isMerged) continue;
+        if (listed.isMerged || (filled >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
         vec4 shown = faceMean(id, VCT_MEAN_SHOWN);
         vec3 light =
             showsVisibility != 0u ? shown.aaa : min(shown.rgb + emitterIrradiance(id), maxStoredLight);

@@ -1,7 +1,8 @@
 // Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks: a flat one
-// if the block's faces of that direction are in one layer. Clears the brick, because fill_bricks.comp writes
-// the texels of faces only. The brick's walls are the static ones, until mark_walls.comp adds those of
-// dynamic objects.
+// if the block's faces of that direction are in one layer. Each cascade has room of its own in the texture of
+// bricks, so that the bricks of a cascade that stays keep their places while others move. Clears the brick,
+// because fill_bricks.comp writes the texels of faces only. The brick's walls are the static ones, until
+// mark_walls.comp adds those of dynamic objects.
 #include "directional/face_lists.glsl"
 #include "directional/cascades.glsl"
 #include "directional/voxels.glsl"
@@ -13,7 +14,8 @@ layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
 layout(r32ui, binding = VCT_IMAGE_WALLS) writeonly uniform highp uimage3D walls;
 layout(binding = VCT_TEX_WALLS) uniform highp usampler3D staticWalls;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // VCT_BRICK_LEVEL
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;    // VCT_BRICK_LEVEL
+layout(location = VCT_UNIFORM_PLACED) uniform uint placed;  // a bit per cascade whose bricks are placed
 
 // A bit for each layer of a block along an axis that has faces. `voxels`: the 64 bits of the block's voxels.
 uint layersOf(uvec2 voxels, int axis) {
@@ -55,16 +57,19 @@ bool isFlat(ListedFace listed, int layer) {
 }
 
 // Takes a place for the brick of a block's face. Returns 0 if there is no room.
-uint placeOf(ListedFace listed) {
+uint placeOf(ListedFace listed, int cascade) {
+    int owner = frame.hasDynamicObjects != 0 ? 0 : cascade;
+    BrickRoom room = lightStep.bricks[owner];
     uint layers = layersAside(listed, ivec3(0)), slot, texel = 0u, word = 0u;
     if (bitCount(layers) != 1 || !isFlat(listed, findLSB(layers))) {
-        slot = atomicAdd(fullBricks, 1u);
-        if (slot >= lightStep.fullBricks) return 0u;
+        uint number = atomicAdd(fullBricks[owner], 1u);
+        if (number >= room.fullBricks) return 0u;
+        slot = room.firstSlot + number;
     } else {
         const uint inSlot = uint(VCT_BRICK_TEXELS);
-        uint number = atomicAdd(flatBricks, 1u);
-        slot = lightStep.fullBricks + number / inSlot;
-        if (slot >= lightStep.brickSlots) return 0u;
+        uint number = atomicAdd(flatBricks[owner], 1u);
+        if (number >= room.flatBricks) return 0u;
+        slot = room.firstSlot + room.fullBricks + number / inSlot;
         texel = number % inSlot;
         word = packLayer(uint(findLSB(layers)));
     }
@@ -87,7 +92,9 @@ void main() {
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         ListedFace listed = listedFace(level, i);
-        uint brick = placeOf(listed);
+        int cascade = listed.voxel.z / (frame.gridSide >> VCT_BRICK_LEVEL);
+        if ((placed >> uint(cascade) & 1u) == 0u) continue;
+        uint brick = placeOf(listed, cascade);
         if (brick != 0u) clearBrick(brick);
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
         for (int word = 0; word < 2; ++word) {

@@ -116,6 +116,7 @@ using glm::vec4;
 #define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2          // the cascades whose static geometry has changed, a bit for each
+#define VCT_UNIFORM_PLACED 1            // the cascades whose bricks are placed again, a bit for each
 #define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
 #define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
@@ -270,6 +271,13 @@ struct EmitterBlock {
     EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
 };
 
+// Room for the bricks of a cascade in the texture of bricks, whose slots hold a full brick or
+// VCT_BRICK_TEXELS flat ones each. The slots of the flat bricks follow those of the full ones.
+struct BrickRoom {
+    uint firstSlot, fullBricks, flatBricks;
+    uint unusedRoom;
+};
+
 // One step of the light (jni/engine/directional/light_schedule.h; directional/face_irradiance.glsl).
 struct LightStep {
     uint frame;            // number of the step
@@ -291,11 +299,9 @@ struct LightStep {
     uint blockedCapacity;  // room for so many
     uint objectCount;      // moving objects
     uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
-    uint fullBricks;       // bricks of which there is room for so many; the flat ones are behind them
-    uint brickSlots;       // room for full bricks in all
     uint emitterTurns;     // faces take over the light of a coarser cascade's emitters for so many steps
-    uint unusedStep0, unusedStep1;
-    vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
+    BrickRoom bricks[VCT_MAX_CASCADES];  // of each cascade; with dynamic objects, the first one is for all
+    vec4 object[VCT_MAX_OBJECTS];        // xyz: middle, volume space; w: radius
 };
 
 struct DrawUniforms {
@@ -347,8 +353,8 @@ struct CommandLists {
     uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
     uint unusedIds;        // static ids without a face after the cascades moved last
     uint takenIds;         // those of them that faces took
-    uint fullBricks;       // bricks that were placed last, also those that did not fit
-    uint flatBricks;
+    uint fullBricks[VCT_MAX_CASCADES];  // bricks that were placed last, also those that did not fit
+    uint flatBricks[VCT_MAX_CASCADES];
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.

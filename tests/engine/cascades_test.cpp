@@ -313,9 +313,10 @@ TEST(CascadesOnAWalk, SetUniformsOnlyOfProgramsThatHaveThem) {
     const GlSpy<&gl::Uniform1ui> uniforms([&](GLint location, GLuint) {
         GLint program = 0;
         gl::GetIntegerv(GL_CURRENT_PROGRAM, &program);
-        for (const char* name : {"level", "list", "cascade", "shift", "moved", "changed", "withStatic",
-                                 "rebuilds", "visitsAll", "showsVisibility", "turns", "turnsLeft",
-                                 "tileIndex", "axis", "map", "shifts[0]", "shifts[1]", "shifts[2]"})
+        for (const char* name :
+             {"level",    "list",      "cascade",         "shift",     "moved",     "changed",   "withStatic",
+              "rebuilds", "visitsAll", "showsVisibility", "turns",     "turnsLeft", "tileIndex", "axis",
+              "map",      "placed",    "filled",          "shifts[0]", "shifts[1]", "shifts[2]"})
             if (gl::GetUniformLocation(static_cast<GLuint>(program), name) == location) return;
         ++missing[location];
     });
@@ -375,6 +376,34 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
         EXPECT_TRUE(wallWords(walking) == expected) << "frame " << frame;
     }
     EXPECT_GE(compared, 4);
+}
+
+// A move places the bricks of the cascade that moves, and no others.
+TEST(CascadesOnAWalk, KeepTheBricksOfCascadesThatStay) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = hall();
+    Renderer walking = makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
+    walking.render({{Output::irradiance}, Walk::at(4.0)});
+    Cascades places(3, walking.volume().grid);
+    places.follow(eyeInVolume(Walk::at(4.0), walking.volume()));
+    int moves = 0;
+    for (int frame = 1; frame < 8; ++frame) {
+        const Cascades before = places;
+        const Camera camera = Walk::at(4.0 + 0.4 * frame);
+        const auto readBricks = [&] { return readVoxels(*walking.directional()->irradiance()->bricks(), 0); };
+        const std::vector<std::uint32_t> last = readBricks();
+        moves += places.follow(eyeInVolume(camera, walking.volume())) ? 1 : 0;
+        walking.render({{Output::irradiance}, camera});
+        const std::vector<std::uint32_t> now = readBricks();
+        const auto words = static_cast<std::ptrdiff_t>(now.size() / 3);
+        for (int i = 0; i < 3; ++i) {
+            if (places.corner(i) != before.corner(i)) continue;
+            EXPECT_TRUE(
+                std::equal(now.begin() + i * words, now.begin() + (i + 1) * words, last.begin() + i * words))
+                << "cascade " << i << ", frame " << frame;
+        }
+    }
+    EXPECT_GT(moves, 2);
 }
 
 // A comb of plates, which fills more faces than the lists have room for when the finest cascade reaches it.

@@ -75,21 +75,30 @@ TEST(LightSchedule, AMoveOfCascadesVisitsWhatItHasChanged) {
     while (!schedule.isConverged())
         EXPECT_TRUE(schedule.advance(noChange).visitsAll);
     std::uint32_t rays = 0;
-    for (int i = 0; i < 64; ++i) {
+    for (int i = 0; i < 65; ++i) {
         const LightPlan plan = schedule.advance(i == 0 ? otherPlace : noChange);
         EXPECT_FALSE(plan.visitsAll) << i;
         // New faces find the light of emitters in turns.
         EXPECT_FALSE(plan.updatesEmitters) << i;
-        EXPECT_EQ(plan.emitterTurns, i < LightSchedule::emitterTurns ? 16U : 1U) << i;
+        EXPECT_EQ(plan.emitterTurns, i > 0 && i <= LightSchedule::emitterTurns ? 16U : 1U) << i;
+        EXPECT_EQ(plan.gathers, i > 0) << i;
         // The refinement visits all that no refinement has visited.
-        EXPECT_EQ(plan.listsVisited, i == 0 || i == 32) << i;
+        EXPECT_EQ(plan.listsVisited, i == 0 || i == 33) << i;
         if (plan.listsVisited) {
-            EXPECT_EQ(plan.visitsSince, i == 0 ? 18U : 1U);
+            EXPECT_EQ(plan.visitsSince, i == 0 ? 17U : 1U);
         }
-        if (plan.traces) rays += plan.rays;
+        if (plan.gathers && plan.traces) rays += plan.rays;
     }
     EXPECT_GE(rays, 64U);
     EXPECT_TRUE(schedule.isConverged());
+}
+
+TEST(LightSchedule, MovesInEachFrameGatherInEachSecondStep) {
+    LightSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        schedule.advance(noChange);
+    for (int i = 0; i < 8; ++i)
+        EXPECT_EQ(schedule.advance(otherPlace).gathers, i % 2 == 1) << i;
 }
 
 TEST(LightSchedule, AMoveAfterOtherLightVisitsAllUntilTheBouncesAreIn) {

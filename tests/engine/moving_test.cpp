@@ -137,8 +137,8 @@ TEST(MovingInstances, ABoxThatTurnsHasRoomForItsFacesAndBricks) {
     const std::size_t room =
         volume.irradiance()->textures().at(0)->bytes() / (texels * texels * texels * bytesOfTexel);
     const shared::CommandLists found = volume.voxels().index().readCommands();
-    EXPECT_GT(found.fullBricks, 100U);
-    EXPECT_LE(found.fullBricks + found.flatBricks / texels, room);
+    EXPECT_GT(found.fullBricks[0], 100U);
+    EXPECT_LE(found.fullBricks[0] + found.flatBricks[0] / texels, room);
     for (const std::uint32_t list : {found.dynamicList, std::uint32_t{VCT_BRICK_LEVEL}})
         EXPECT_LE(found.lists[list].faceCount, found.lists[list].faceCapacity) << "list " << list;
 }

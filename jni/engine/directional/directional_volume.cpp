@@ -154,7 +154,7 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
     }
     if (dynamic.faceCount > capacities[VCT_LIST_DYNAMIC])
         capacities[VCT_LIST_DYNAMIC] = capacities[VCT_LIST_DYNAMIC + 1] = roomForObjects(dynamic.faceCount);
-    if (blocks.faceCount > capacities[VCT_BRICK_LEVEL]) {
+    if (blocks.faceCount + (hasCascades_ ? blocks.faceCount / 16 : 0) > capacities[VCT_BRICK_LEVEL]) {
         const std::uint32_t ofStatic = blocks.staticFaces;
         capacities[VCT_BRICK_LEVEL] = (hasCascades_ ? roomForMoves(ofStatic) : ofStatic) +
                                       (hasDynamic_ ? roomForObjects(blocks.faceCount - ofStatic) : 0);
@@ -166,10 +166,10 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     const FaceCapacities capacities = capacitiesFor(found);
     if (capacities == voxels_.capacities()) return false;
     // If something did not fit, all is voxelized again. Faces that were there keep their light.
-    isIncomplete_ |=
-        found.unplacedFaces > 0 || capacities[VCT_BRICK_LEVEL] != voxels_.capacities()[VCT_BRICK_LEVEL];
+    isIncomplete_ |= found.unplacedFaces > 0 ||
+                     found.lists[VCT_BRICK_LEVEL].faceCount > voxels_.capacities()[VCT_BRICK_LEVEL];
     voxels_.grow(capacities);
-    cachedFor_.reset();
+    if (isIncomplete_ || hasDynamic_) cachedFor_.reset();
     return true;
 }
 

@@ -113,11 +113,12 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const Casc
     pending_.cascades |= change.cascades;
     for (std::size_t i = 0; i < shifts.size(); ++i)
         pendingPaths_.at(i) += glm::abs(shifts.at(i));
-    placesBricks_ |= change.lists;
+    if (change.lists) unplacedCascades_ |= change.all ? DirectionalVoxels::allCascades : change.voxelized;
 }
 
 void Irradiance::invalidate() {
-    placesBricks_ = marksAllWalls_ = true;
+    unplacedCascades_ = DirectionalVoxels::allCascades;
+    marksAllWalls_ = true;
     schedule_ = LightSchedule(settings_, lightFrames_);
     capacities_ = {};
     idCapacity_ = 0;
@@ -133,7 +134,8 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
     isBakedStep_ = false;
-    reserveFaces(voxels, change.voxelized != DirectionalVoxels::allCascades);
+    // Lists that grow lose the faces that the steps visit.
+    if (reserveFaces(voxels, change.voxelized != DirectionalVoxels::allCascades)) plan_.listsVisited = true;
     if (isBakedStep_) schedule_.end();
     reserveBricks(voxels);
     uploadUniforms(objects, allBounces);
@@ -141,9 +143,9 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
-    if (std::exchange(placesBricks_, false)) {
+    if (const std::uint32_t placed = std::exchange(unplacedCascades_, 0)) {
         if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
-        placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
+        placeBricks(voxels, placed, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
         const bool linksAll = marksAllWalls_ || voxels.hasDynamicObjects() ||
                               change.voxelized == DirectionalVoxels::allCascades;
         linkFaces(voxels, linksAll, paths);
@@ -154,16 +156,17 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
             reserveBricks(voxels);
             uploadUniforms(objects, allBounces);
             bind(voxels);
-            if (std::exchange(placesBricks_, false)) placeBricks(voxels, 0);
+            if (std::exchange(unplacedCascades_, 0) != 0)
+                placeBricks(voxels, DirectionalVoxels::allCascades, 0);
         }
-        fillsAll_ = true;
+        placedCascades_ |= placed;
     }
     if (forwardHits_ && !isFirst && (change.voxelized != 0 || forwardTurns_ > 0)) {
         forwardHits(voxels, change.voxelized);
         if (forwardTurns_ == 0) plan_.listsVisited = true;
     }
     if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels);
-    fillsAll_ |= plan_.visitsAll;
+    if (plan_.visitsAll) placedCascades_ = DirectionalVoxels::allCascades;
     if (!findEmitters_ || !(plan_.updatesEmitters || plan_.emitterTurns > 1)) return;
     voxels.bindForRays();
     run(*findEmitters_, voxels);
@@ -211,7 +214,7 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
 
 void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved) {
     // Another move uses the ids of faces that the last one has left, so all turns that are left come now.
-    constexpr std::uint32_t turns = 8;
+    constexpr std::uint32_t turns = 4;
     const bool endsTurns = moved != 0 && forwardTurns_ > 0;
     forwardedCascades_ |= moved;
     forwardTurns_ = endsTurns ? 1 : moved != 0 ? turns : forwardTurns_;
@@ -236,18 +239,25 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
 }
 
 void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {
-    const bool fillsAll = std::exchange(fillsAll_, false) || showsVisibility_ != visibility;
+    std::uint32_t placed = std::exchange(placedCascades_, 0);
+    if (showsVisibility_ != visibility) placed = DirectionalVoxels::allCascades;
     showsVisibility_ = visibility;
     isOutdated_ = false;
     const gl::DebugGroup group("fill bricks");
     bind(voxels);
     fillBricks_.use();
-    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, fillsAll ? 1 : 0);
     gl::Uniform1ui(VCT_UNIFORM_SHOWS_VISIBILITY, visibility ? 1 : 0);
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    voxels.index().dispatchOverFaces(fillsAll ? 0 : VCT_LIST_VISITED);
+    if (placed != 0) fillFrom(voxels, placed, true);
+    if (placed != DirectionalVoxels::allCascades) fillFrom(voxels, ~placed, false);
     // The last pass of the frame fetches the bricks.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void Irradiance::fillFrom(const DirectionalVoxels& voxels, std::uint32_t cascades, bool visitsAll) const {
+    gl::Uniform1ui(VCT_UNIFORM_PLACED, cascades);
+    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
+    voxels.index().dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
 }
 
 std::size_t Irradiance::hitWords(std::uint32_t ids) const {
@@ -255,7 +265,7 @@ std::size_t Irradiance::hitWords(std::uint32_t ids) const {
     return groups * VCT_FACE_GROUP * static_cast<std::size_t>(settings_.directions) / 4 * 3;
 }
 
-void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
+bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     const FaceCapacities before = std::exchange(capacities_, voxels.capacities());
     const std::uint32_t oldIds = std::exchange(idCapacity_, voxels.idCapacity());
     constexpr std::uint32_t mostIds = VCT_HIT_NEAR - VCT_HIT_FACE;
@@ -269,7 +279,8 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
         blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 32, std::min(all, 1U << 18U)});
     }
-    if (oldIds != 0 && before == capacities_ && blockedBefore == blockedCapacity_) return;
+    const bool grows = before != capacities_;
+    if (oldIds != 0 && !grows && blockedBefore == blockedCapacity_) return false;
     // The buffer begins with the faces' words. A word per face for its next id or its last change follows,
     // then the hits, and the rays that moving objects block.
     const std::size_t perFace = irradianceWords();
@@ -312,6 +323,7 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     faceIrradiance_ = {};
     faceIrradiance_ = gl::Buffer("face irradiance", GL_SHADER_STORAGE_BUFFER, words.size() * sizeof words[0],
                                  words.data(), GL_DYNAMIC_COPY);
+    return grows;
 }
 
 namespace {
@@ -356,17 +368,28 @@ void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
     // An object that turns may make all its bricks full ones, and those of the surface beside it.
     const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
     const std::uint32_t moving = blocks.faceCount - std::min(blocks.staticFaces, blocks.faceCount);
-    const auto withRoom = [&](std::uint32_t count) {
-        return listsChange_ ? count + count / 8 + 64 + 3 * moving : count;
+    const auto reserve = [&](std::uint32_t& room, std::uint32_t count) {
+        // Counts are read frames later, so room is added before it runs out.
+        if (listsChange_ ? count + count / 16 < room : count <= room) return;
+        room = listsChange_ ? count + count / 8 + 64 + 3 * moving : count;
+        unplacedCascades_ = DirectionalVoxels::allCascades;
     };
-    if (found.fullBricks >= fullBricks_) fullBricks_ = withRoom(found.fullBricks);
-    if (found.flatBricks >= flatBricks_) flatBricks_ = withRoom(found.flatBricks);
+    for (std::size_t i = 0; i < brickRooms_.size(); ++i) {
+        if (i > 0 && found.fullBricks[i] + found.flatBricks[i] == 0) continue;  // the room is not used
+        reserve(brickRooms_.at(i).fullBricks, found.fullBricks[i]);
+        reserve(brickRooms_.at(i).flatBricks, found.flatBricks[i]);
+    }
 }
 
 // The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,
 // for grids up to 256^3.
 void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
-    const std::uint32_t slots = fullBricks_ + (flatBricks_ + VCT_BRICK_TEXELS - 1) / VCT_BRICK_TEXELS;
+    if (irradiance_ && unplacedCascades_ != DirectionalVoxels::allCascades) return;
+    std::uint32_t slots = 0;
+    for (shared::BrickRoom& room : brickRooms_) {
+        room.firstSlot = slots;
+        slots += room.fullBricks + (room.flatBricks + VCT_BRICK_TEXELS - 1) / VCT_BRICK_TEXELS;
+    }
     if (irradiance_ && slots == brickSlots_) return;
     brickSlots_ = slots;
     bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(slots, 1U))));
@@ -378,7 +401,6 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     // Filtering in a flat brick may also fetch the texels beside it, with a weight of 0. These may be of no
     // brick, but have to be numbers.
     gl::clearTexture3d(*irradiance_, size.z);
-    placesBricks_ = true;
     if (bricks_) return;
     const glm::ivec3 faces = blocksSize(voxels);
     bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, faces.x, faces.y, faces.z, 1);
@@ -407,8 +429,7 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.updatesDirect = plan_.updatesDirect ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
     values.bricksAlong = bricksAlong_;
-    values.fullBricks = fullBricks_;
-    values.brickSlots = brickSlots_;
+    std::copy(brickRooms_.begin(), brickRooms_.end(), values.bricks);
     values.firstForward = irradianceWords() * idCapacity_;
     values.firstHit = values.firstForward + idCapacity_;
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
@@ -430,10 +451,12 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
     irradiance_->bind(VCT_TEX_IRRADIANCE);
 }
 
-void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const {
+void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed,
+                             std::uint32_t moved) const {
     clearBricks_.use();
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
     staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
+    gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
     const glm::uvec3 groups = (blocksSize(voxels) + 3) / 4;
     gl::DispatchCompute(groups.x, groups.y, groups.z);
@@ -445,6 +468,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t move
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, VCT_BRICK_LEVEL);
+    gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     if (voxels.hasDynamicObjects())

@@ -3,6 +3,7 @@
 // light has converged, steps are skipped until something changes.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -69,7 +70,7 @@ class Irradiance {
     // `allBounces`: faces also reflect their irradiance; false: the first bounce only.
     void beginStep(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects, bool allBounces);
     bool isDirectOutdated() const { return plan_.updatesDirect || plan_.updatesEmitters; }
-    bool isGatherNeeded() const { return !isBakedStep_; }
+    bool isGatherNeeded() const { return !isBakedStep_ && plan_.gathers; }
     // Dispatches the current program, of directional/visited.glsl, over the faces that the step visits.
     void dispatchOverVisited(const DirectionalVoxels& voxels) const;
     void gather(const DirectionalVoxels& voxels);
@@ -98,7 +99,8 @@ class Irradiance {
 
   private:
     void reserveBricks(const DirectionalVoxels& voxels);
-    void reserveFaces(const DirectionalVoxels& voxels, bool keepsHits);
+    // Returns true if the lists of faces have grown.
+    bool reserveFaces(const DirectionalVoxels& voxels, bool keepsHits);
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
@@ -115,8 +117,10 @@ class Irradiance {
     void forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved);
     // Lists the static faces that the next steps visit.
     void listVisited(const DirectionalVoxels& voxels) const;
-    // `moved`: the cascades whose static walls have changed, a bit for each.
-    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const;
+    // Places the bricks of some cascades. `moved`: the cascades whose static walls have changed. A bit each.
+    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed, std::uint32_t moved) const;
+    // Fills the bricks with the faces of some cascades, of all faces or of those that the step visits.
+    void fillFrom(const DirectionalVoxels& voxels, std::uint32_t cascades, bool visitsAll) const;
     // Marks the walls of a list's faces in a texture of their words.
     void markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
                    std::uint32_t cascades) const;
@@ -143,17 +147,18 @@ class Irradiance {
     bool emitters_;
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
     bool isBakedCurrent_ = false;
-    bool isBakedStep_ = false;      // the present step took over all of its light
-    bool placesBricks_ = true;      // the next step has to place the bricks
-    bool marksAllWalls_ = true;     // the next step has to mark all static walls
-    bool isOutdated_ = true;        // the bricks do not show the last step
-    bool fillsAll_ = true;          // and all of them have to be filled
-    bool showsVisibility_ = false;  // the bricks have ambient visibility
+    bool isBakedStep_ = false;  // the present step took over all of its light
+    std::uint32_t unplacedCascades_ = DirectionalVoxels::allCascades;  // the next step has to place the
+                                                                       // bricks of these cascades, a bit each
+    bool marksAllWalls_ = true;         // the next step has to mark all static walls
+    bool isOutdated_ = true;            // the bricks do not show the last step
+    std::uint32_t placedCascades_ = 0;  // the bricks of these cascades, a bit each, have to be filled
+    bool showsVisibility_ = false;      // the bricks have ambient visibility
     gl::Buffer uniforms_, faceIrradiance_;
     std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_;
     FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
-    std::uint32_t fullBricks_ = 0, flatBricks_ = 0;  // room for so many
+    std::array<shared::BrickRoom, VCT_MAX_CASCADES> brickRooms_{};
     std::uint32_t brickSlots_ = 0, bricksAlong_ = 0;
 };
 

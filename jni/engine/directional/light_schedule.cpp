@@ -20,7 +20,7 @@ LightSchedule::LightSchedule(const GatherSettings& settings, int lightFrames)
       tracingSteps_((settings.directions + settings.rays - 1) / settings.rays),
       rayBudget_(settings.rayBudget),
       rays_(settings.rays),
-      moveSteps_(std::max(lightFrames, movePace * tracingSteps_)),
+      moveSteps_(std::max(lightFrames, movePace * tracingSteps_ + 1)),
       stepsLeft_(convergenceSteps()),
       tracingStepsLeft_(tracingSteps_) {}
 
@@ -33,10 +33,6 @@ LightPlan LightSchedule::advance(const Change& change) {
     if (spreadsEmitters) emitterStepsLeft_ = emitterTurns;
     plan.updatesEmitters = !spreadsEmitters && (change.emitters || change.lists || isFirst);
     if (plan.updatesEmitters) emitterStepsLeft_ = 0;
-    if (emitterStepsLeft_ > 0) {
-        --emitterStepsLeft_;
-        plan.emitterTurns = emitterTurns;
-    }
     plan.updatesSky = change.sky;
     plan.refiningSteps = refiningSteps_;
     // This step traces some rays of moving objects, and those after it trace each of them once.
@@ -45,7 +41,6 @@ LightPlan LightSchedule::advance(const Change& change) {
     // In a frame in which nothing moves, the hits of moving objects may still be those of earlier poses.
     plan.movingRays = change.lists ? static_cast<std::uint32_t>(rayBudget_) : 0;
     plan.minMovingRays = change.lists ? 1 : static_cast<std::uint32_t>(rays_);
-    if (tracingStepsLeft_ > 0) --tracingStepsLeft_;
     if (change.any()) {
         plan.interrupts = stepsLeft_ > 0 && stepsLeft_ < refiningSteps_;
         stepsLeft_ = (change.isMove() ? moveSteps_ : lightFrames_) + refiningSteps_;
@@ -63,6 +58,14 @@ LightPlan LightSchedule::advance(const Change& change) {
     plan.visitsSince = isRefining || frame_ < moveSteps ? 1 : frame_ - moveSteps + 1;
     plan.rays = static_cast<std::uint32_t>(plan.visitsAll ? rays_ : std::max(rays_ / movePace, 1));
     visitedAll_ = plan.visitsAll;
+    // The step of a move leaves the rays of new faces to the next one, but not twice in succession.
+    plan.gathers = plan.visitsAll || plan.interrupts || !change.isMove() || !gathered_;
+    gathered_ = plan.gathers;
+    if (plan.gathers && tracingStepsLeft_ > 0) --tracingStepsLeft_;
+    if (plan.gathers && emitterStepsLeft_ > 0) {
+        --emitterStepsLeft_;
+        plan.emitterTurns = emitterTurns;
+    }
     if (plan.endsRefinement()) changedAll_ = 0;
     return plan;
 }

@@ -4,7 +4,8 @@
 // are three states: `lightFrames` steps add bounces; then, if the settings ask for it, further rays refine
 // the means; then the light has converged, and no step runs until something changes. After a move of cascades
 // the steps visit only the faces that it has changed, and trace their rays at a slower pace, because these
-// faces show the light of a coarser cascade meanwhile.
+// faces show the light of a coarser cascade meanwhile. The step of the move itself, which has new faces to
+// voxelize, does not gather.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct LightPlan {
     int refiningStep = -1;            // number of the step in the refinement; -1: it does not refine
     int refiningSteps = 0;            // steps of the refinement
     bool interrupts = false;          // the step ends a refinement too early
+    bool gathers = true;              // faces find the light that they receive
     bool traces = false;              // cached rays may be unknown or out of date
     std::uint32_t rays = 0;           // new rays per face
     bool visitsAll = true;            // the step visits all faces; false: a list of them
@@ -77,6 +79,7 @@ class LightSchedule {
     // The step, counted from 1, in which light changed everywhere; 0: a refinement has visited all since.
     std::uint32_t changedAll_ = 0;
     bool visitedAll_ = true;  // in the last step
+    bool gathered_ = true;    // in the last step
 };
 
 }  // namespace vct
