@@ -97,6 +97,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
     if (targets.gloss && read.reflections) {
         add(Step::trace, markGlossProgram());
         add(Step::trace, halfGlossProgram(targets.mappedNormals, lights));
+        add(Step::trace, filterGlossProgram(targets.mappedNormals, lights));
         add(Step::trace, glossProgram(targets.mappedNormals, lights));
     }
     return programs;

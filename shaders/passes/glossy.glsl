@@ -3,18 +3,13 @@
 // of rays around the mirror direction (passes/gloss.frag) and, for rough surfaces, of face irradiance
 // (passes/shade.frag).
 
-// Between these roughnesses the rays give way to face irradiance, because the many rays of a gather fit a
-// wide lobe better than a few rays do (docs/design-decisions.md).
+// Between these roughnesses the rays give way to face irradiance on materials that are no metals. They
+// reflect a few per cent, and the many rays of a gather have less noise. Nothing hides the lobe of a metal.
 const float roughFrom = 0.2;
 const float roughTo = 0.9;
 // From this roughness on, half the resolution is enough: 0.1, less the rounding to 8 bits. Below, one ray
 // along the mirror direction stands for the lobe, which is a degree wide.
 const float halfFrom = 0.097;
-
-// The share of the lobe's rays in the reflected light. It is 0 from roughTo on.
-mediump float lobeShare(mediump float roughness) {
-    return 1.0 - smoothstep(roughFrom, roughTo, roughness);
-}
 
 // The material of a pixel.
 struct Brdf {
@@ -22,7 +17,9 @@ struct Brdf {
     mediump vec3 f0;       // Schlick's term at normal incidence
     mediump float f90;     // Schlick's term at grazing incidence; 0: the surface is Lambertian
     mediump float roughness;
-    vec3 toEye;  // unit length
+    mediump float
+        lobeShare;  // the share of the lobe's rays in the reflected light; the rest is face irradiance
+    vec3 toEye;     // unit length
 };
 
 // Metals reflect specularly up to the roughness 1. The reflection of other materials fades out from .9 on, so
@@ -30,11 +27,11 @@ struct Brdf {
 Brdf brdfOf(mediump vec3 albedo, mediump float metallic, mediump float roughness, vec3 toEye) {
     mediump float fade = clamp((1.0 - roughness) * 10.0, 0.0, 1.0);
     return Brdf(albedo * (1.0 - metallic), mix(vec3(0.04 * fade), albedo, metallic), mix(fade, 1.0, metallic),
-                roughness, toEye);
+                roughness, mix(1.0 - smoothstep(roughFrom, roughTo, roughness), 1.0, metallic), toEye);
 }
 
 bool hasLobe(Brdf brdf) {
-    return brdf.roughness < roughTo;
+    return brdf.lobeShare > 0.0;
 }
 
 // The fifth power, without the logarithm of pow().

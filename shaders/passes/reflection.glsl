@@ -80,9 +80,14 @@ RayStart rayStartAt(vec3 position, vec3 normal) {
     return RayStart(voxelsFromVolume(position, cascade) + normal * startHeight, cascade);
 }
 
-// The sum over the compact emitters of radiance, cosine, solid angle, and the density of GGX's mirror
-// directions at a surface: a few rays would find copies of a small emitter. A part is a small disc for a lobe
-// that is wider by its solid angle. The strongest part tells if the surface sees them.
+// Smith's masking term for GGX in a direction, divided by twice its cosine (Walter et al. 2007, eq. 34).
+float halfMasking(float cosine, float alpha2) {
+    return 1.0 / (cosine + sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine));
+}
+
+// The sum over the compact emitters of radiance, masking, solid angle, and the density of the directions of
+// reflectedLight(): a few rays would find copies of a small emitter. A part is a small disc for a lobe that
+// is wider by its solid angle. The strongest part tells if the surface sees them.
 vec3 emittersInLobe(RayStart start, vec3 normal, vec3 toEye, float alpha) {
     vec3 light = vec3(0.0);
 #ifdef VCT_EMITTERS
@@ -97,12 +102,12 @@ vec3 emittersInLobe(RayStart start, vec3 normal, vec3 toEye, float alpha) {
         // An emitter closer than a voxel is probably the surface itself.
         if (seen <= 0.0 || cosLight <= 0.0 || away * grid < 1.0) continue;
         float solidAngle = seen / (away * away + 0.5 / 3.1415927 * seen);
-        vec3 facet = normalize(towards + toEye);
-        float cosine = max(dot(normal, facet), 0.0);
+        float cosFacet = dot(normal, normalize(towards + toEye));
         float alpha2 = min(alpha * alpha + 0.25 / 3.1415927 * solidAngle, 1.0);
-        float d = cosine * cosine * (alpha2 - 1.0) + 1.0;
-        float density = alpha2 * cosine / (4.0 * 3.1415927 * d * d * max(dot(toEye, facet), 1e-2));
-        vec3 added = density * solidAngle * cosLight * part.radiance.rgb;
+        float d = cosFacet * cosFacet * (alpha2 - 1.0) + 1.0;
+        float density =
+            alpha2 / (2.0 * 3.1415927 * d * d) * halfMasking(max(dot(normal, toEye), 1e-3), alpha2);
+        vec3 added = density * solidAngle * cosLight * halfMasking(cosLight, alpha2) * part.radiance.rgb;
         light += added;
         float brightness = max(added.r, max(added.g, added.b));
         if (brightness <= most) continue;
@@ -154,37 +159,48 @@ vec3 lightAlongRay(vec3 start, int own, vec3 direction, float tangent, float dic
     return min(light, 6e4);
 }
 
-// The mean light from around the mirror direction at a surface at `position` (volume space), relative to
-// E/pi: rays to the mirror directions of microfacets, whose normals have the density of GGX (Walter et al.
-// 2007, eq. 35), weighted by the cosine. A ray stands for the solid angle 1 / (rays * density), which is wide
-// where the density is low (Krivanek and Colbert 2008). `turn`: 0..1, shifts the set of directions. A smooth
-// surface takes one ray, and looks up the light where it ends.
-vec3 reflectedLight(vec3 position, vec3 normal, float roughness, int rays, vec2 turn) {
-    float alpha = roughness * roughness;
-    bool isSharp = roughness < 0.3;
-    if (roughness < halfFrom) rays = 1;
-    vec3 view = normalize(position - frame.eye.xyz);
+// Rays of a sample of a rough surface. The directions of 4 x 4 neighbouring samples are parts of one set.
+const int raysOfSample = 4;
+
+// The light from around the mirror direction at a surface at `position` (volume space), relative to E/pi;
+// rgb: weighted, a: the sum of the weights, up to 0.5. Rays go to the mirror directions of microfacets with
+// the density of the normals that the eye sees (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with
+// Spherical Caps"), so what is left of the BRDF is the masking of the ray. A ray stands for the solid angle
+// 1 / (directions * density), which is wide where the density is low (Krivanek and Colbert 2008).
+// `directions`: those that are averaged. `sampleOfSet`: the part of the set. A smooth surface takes one ray,
+// and looks up the light where it ends.
+vec4 reflectedLight(vec3 position, vec3 normal, float roughness, float directions, int sampleOfSet) {
+    bool isSharp = roughness < 0.3, isMirror = roughness < halfFrom;
+    float alpha = roughness * roughness, alpha2 = max(alpha * alpha, 1e-6);
+    int rays = isMirror ? 1 : raysOfSample;
     mat3 axes = frameAround(normal);
     RayStart start = rayStartAt(position, normal);
+    vec3 view = normalize(position - frame.eye.xyz), toEye = -view * axes;
+    toEye.y = max(toEye.y, 1e-3);
+    vec3 stretch = vec3(alpha, 1.0, alpha), stretched = normalize(toEye * stretch);
+    float perDensity = 2.0 / (directions * alpha2 * halfMasking(toEye.y, alpha2));
     vec4 sum = vec4(0.0);
     for (int i = 0; i < rays; ++i) {
-        vec2 u = rays == 1 ? vec2(0.0) : fract(turn + float(i) * vec2(0.7548777, 0.5698403));
-        float narrowing = 1.0 + (alpha * alpha - 1.0) * u.x;
-        float cosine = sqrt((1.0 - u.x) / narrowing);
-        float sine = sqrt(1.0 - cosine * cosine), azimuth = 6.2831853 * u.y;
-        vec3 facet = axes * vec3(sine * cos(azimuth), cosine, sine * sin(azimuth));
-        vec3 direction = reflect(view, facet);
-        float weight = dot(direction, normal);
-        if (weight <= 0.0) continue;
-        float tangent = 2.0 * alpha / narrowing * sqrt(-dot(view, facet) / (float(rays) * cosine));
+        // The sequence R2 of Roberts (2018).
+        vec2 u = fract(0.5 + float(sampleOfSet * rays + i) * vec2(0.7548777, 0.5698403));
+        float height = 1.0 - u.x * (1.0 + stretched.y), azimuth = 6.2831853 * u.y;
+        float radius = sqrt(max(1.0 - height * height, 0.0));
+        vec3 cap = vec3(radius * cos(azimuth), height, radius * sin(azimuth));
+        vec3 facet = isMirror ? vec3(0.0, 1.0, 0.0) : normalize((cap + stretched) * stretch);
+        vec3 direction = axes * (2.0 * dot(toEye, facet) * facet - toEye);
+        float cosine = dot(direction, normal);
+        if (cosine <= 0.0) continue;
+        float weight = cosine * halfMasking(cosine, alpha2) / float(rays);
+        float tangent = (1.0 + (alpha2 - 1.0) * facet.y * facet.y) * sqrt(perDensity);
         vec3 light = lightAlongRay(start.position, start.cascade, direction, min(tangent, 1.0), 0.5, isSharp);
         sum += weight * vec4(light, 1.0);
     }
-    if (!isSharp) sum.rgb += float(rays) * emittersInLobe(start, normal, -view, alpha);
-    return min(sum.rgb / max(sum.a, 1e-4), 6e4);
+    if (!isSharp) sum.rgb += emittersInLobe(start, normal, -view, alpha);
+    return min(sum, 6e4);
 }
 
-// A shift of the directions for each pixel of a block of 2 x 2, so that neighbours together have an even set.
-vec2 turnOfPixel(ivec2 pixel) {
-    return vec2(0.25 + 0.5 * float(pixel.x & 1), 0.25 + 0.5 * float(pixel.y & 1)) * 0.25;
+// The part of the set for each pixel of 4 x 4; those of 2 x 2 are consecutive.
+int sampleOf(ivec2 pixel) {
+    ivec4 bits = ivec4(pixel, pixel >> 1) & 1;
+    return (bits.x ^ bits.y) * 2 + bits.y + ((bits.z ^ bits.w) * 2 + bits.w) * 4;
 }

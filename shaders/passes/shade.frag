@@ -86,7 +86,7 @@ Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
 // The part of the indirect specular light that rough surfaces take from face irradiance. passes/gloss.frag
 // adds the cone's part.
 mediump vec3 roughReflection(Brdf brdf, vec3 normal, mediump vec3 gathered) {
-    return (1.0 - lobeShare(brdf.roughness)) * specularShare(brdf, normal) * gathered;
+    return (1.0 - brdf.lobeShare) * specularShare(brdf, normal) * gathered;
 }
 // passes/gloss.frag is drawn at the depth 0.5 and only where the depth is larger.
 void markLobe(bool hasLobe) {

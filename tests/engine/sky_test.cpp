@@ -206,6 +206,67 @@ TEST(Sky, MirrorsAndTheBackgroundShowItPixelByPixel) {
     EXPECT_GT(mirrored, 300);
 }
 
+// The light that a white metal reflects from a sky (glTF 2.0, appendix B): the midpoint rule over the
+// hemisphere, weighted by the cosine. All vectors have unit length.
+template <class Radiance>
+double reflectedSky(const Radiance& radiance, double roughness, const glm::dvec3& normal,
+                    const glm::dvec3& view) {
+    const double alpha2 = std::pow(roughness, 4.0), cosView = glm::dot(normal, view);
+    const glm::dvec3 side = glm::normalize(glm::cross(normal, glm::dvec3(0.6, 0.0, 0.8)));
+    const auto masking = [&](double cosine) {
+        return 1.0 / (cosine + std::sqrt(alpha2 + (1.0 - alpha2) * cosine * cosine));
+    };
+    constexpr int count = 64;
+    double sum = 0.0;
+    for (int i = 0; i < count * count; ++i) {
+        const double square = (i / count + 0.5) / count, turn = 2.0 * pi * (i % count + 0.5) / count;
+        const double height = std::sqrt(1.0 - square);
+        const glm::dvec3 light =
+            height * normal +
+            std::sqrt(square) * (std::cos(turn) * side + std::sin(turn) * glm::cross(normal, side));
+        const double cosFacet = glm::dot(normal, glm::normalize(light + view));
+        const double d = cosFacet * cosFacet * (alpha2 - 1.0) + 1.0;
+        sum += alpha2 / (d * d) * masking(height) * masking(cosView) * radiance(light);
+    }
+    return sum / (count * count);
+}
+
+// The highlight of a glow in the sky fades and widens as the lobe of GGX does, up to the roughness 1.
+TEST(Sky, ABallOfMetalReflectsTheLobeOfItsRoughness) {
+    const Context context = openContext(Backend::egl);
+    const auto glow = [](const glm::dvec3& direction) {
+        return 0.2 + 4.0 * std::pow(std::max(glm::dot(direction, {0.48, 0.6, 0.64}), 0.0), 32.0);
+    };
+    for (const float roughness : {0.5F, 0.7F, 1.0F}) {
+        SCOPED_TRACE(roughness);
+        Scene scene = emptyScene();
+        scene.materials[0].baseColor = glm::vec4(1.0F);
+        scene.materials[0].metallic = 1.0F;
+        scene.materials[0].roughness = roughness;
+        addBall(scene, 0.8, {0, 0, 0});
+        Settings settings = settingsUnder(skyOf(glow), 96);
+        settings.specular = Specular::rays;
+        const glm::dvec3 eye(0.0, 0.5, 3.0);
+        FrameInspector frame(context, finished(std::move(scene)), noLight(), settings,
+                             lookAt(eye, {0, 0, 0}, 35));
+        double squares = 0.0, sum = 0.0, right = 0.0;
+        int count = 0;
+        for (const auto& [surface, light] : frame.seen(Output::gi)) {
+            const glm::dvec3 normal = glm::normalize(surface.positionWorld);
+            const glm::dvec3 view = glm::normalize(eye - surface.positionWorld);
+            if (glm::dot(normal, view) < 0.3) continue;
+            const double expected = reflectedSky(glow, roughness, normal, view);
+            squares += std::pow(light.g - expected, 2.0);
+            sum += light.g;
+            right += expected;
+            ++count;
+        }
+        ASSERT_GT(count, 2000);
+        EXPECT_LT(std::sqrt(squares * count) / right, 0.08);
+        EXPECT_NEAR(sum / right, 1.0, 0.03);
+    }
+}
+
 // One pixel is a sun that is too bright for half floats.
 TEST(Environment, EveryLevelHoldsTheWholeLight) {
     for (const auto& [x, y] : {std::pair{0, 0}, {13, 7}, {40, 16}, {63, 31}}) {

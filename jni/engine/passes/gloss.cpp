@@ -50,6 +50,10 @@ gl::ProgramDescription halfGlossProgram(bool mappedNormals, const LightFeatures&
     return program("gloss, half", "passes/gloss_half.frag", mappedNormals, lights);
 }
 
+gl::ProgramDescription filterGlossProgram(bool mappedNormals, const LightFeatures& lights) {
+    return program("gloss, filter", "passes/gloss_filter.frag", mappedNormals, lights);
+}
+
 Gloss::Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const gl::Texture& picture)
     : shaders_(std::move(shaders)), lights_(lights) {
     resize(picture);
@@ -61,6 +65,8 @@ void Gloss::resize(const gl::Texture& picture) {
     halfMask_ =
         gl::Texture::make2d("mask of rough reflections", GL_DEPTH_COMPONENT16, half_.width(), half_.height());
     halfFramebuffer_ = gl::Framebuffer("rough reflections", {&half_}, &halfMask_);
+    filtered_ = gl::Texture::make2d("filtered reflections", GL_RGBA16F, half_.width(), half_.height());
+    filteredFramebuffer_ = gl::Framebuffer("filtered reflections", {&filtered_}, &halfMask_);
     mask_ = gl::Texture::make2d("mask of reflections", GL_DEPTH_COMPONENT16, width, height);
     pictureAndMask_ = gl::Framebuffer("radiance and mask of reflections", {&picture}, &mask_);
 }
@@ -72,6 +78,7 @@ const Gloss::Programs& Gloss::programs(bool mappedNormals) {
                     .emplace(mappedNormals,
                              Programs{gl::Program(shaders_, markGlossProgram()),
                                       gl::Program(shaders_, halfGlossProgram(mappedNormals, lights_)),
+                                      gl::Program(shaders_, filterGlossProgram(mappedNormals, lights_)),
                                       gl::Program(shaders_, glossProgram(mappedNormals, lights_))})
                     .first;
     return found->second;
@@ -79,21 +86,27 @@ const Gloss::Programs& Gloss::programs(bool mappedNormals) {
 
 void Gloss::traceRough(const GBuffer::Targets& surface, const VoxelLight& light) {
     const gl::DebugGroup group("rough reflections");
-    const gl::RenderPass pass(halfFramebuffer_, gl::Load::invalidate, gl::Store::colors);
     bind(surface, light);
     noVertices_.bind();
-    programs(surface.mappedNormals).mark.use();
-    gl::DepthFunc(GL_ALWAYS);
-    gl::DrawArrays(GL_TRIANGLES, 0, 3);
-    programs(surface.mappedNormals).half.use();
-    drawMarked();
+    const Programs& shaders = programs(surface.mappedNormals);
+    const auto draw = [&](const gl::Framebuffer& target, const gl::Program& program) {
+        const gl::RenderPass pass(target, gl::Load::invalidate, gl::Store::colors);
+        shaders.mark.use();
+        gl::DepthFunc(GL_ALWAYS);
+        gl::DrawArrays(GL_TRIANGLES, 0, 3);
+        program.use();
+        drawMarked();
+    };
+    draw(halfFramebuffer_, shaders.half);
+    half_.bind(VCT_TEX_HALF_GLOSS);
+    draw(filteredFramebuffer_, shaders.filter);
 }
 
 void Gloss::add(const GBuffer::Targets& surface, const VoxelLight& light) {
     const gl::DebugGroup group("reflections");
     programs(surface.mappedNormals).full.use();
     bind(surface, light);
-    half_.bind(VCT_TEX_HALF_GLOSS);
+    filtered_.bind(VCT_TEX_HALF_GLOSS);
     noVertices_.bind();
     gl::Enable(GL_BLEND);
     gl::BlendEquation(GL_FUNC_ADD);
@@ -104,7 +117,7 @@ void Gloss::add(const GBuffer::Targets& surface, const VoxelLight& light) {
 
 Resources Gloss::resources() const {
     Resources resources;
-    for (const gl::Texture* target : {&half_, &halfMask_, &mask_})
+    for (const gl::Texture* target : {&half_, &filtered_, &halfMask_, &mask_})
         vct::add(resources, *target);
     return resources;
 }
