@@ -6,7 +6,8 @@
 layout(binding = VCT_TEX_HALF_GLOSS) uniform highp sampler2D halfGloss;
 
 layout(early_fragment_tests) in;
-// rgb: mean light from around the mirror direction, relative to E/pi; a: 1 + the index of the pixel in the block.
+// rgb: mean light from around the mirror direction, relative to E/pi; a: 1 + the index of the pixel in the
+// block.
 layout(location = 0) out mediump vec4 outMean;
 
 void main() {
