@@ -40,9 +40,12 @@ int mainFace(vec3 normal) {
     return 2 * axis + int(normal[axis] < 0.0);
 }
 
-// The plane of another face of the voxel.
+// The id of another face of the voxel, and its plane.
+uint besideId(ResolvedFace own, int face) {
+    return surfaceId(own.staticCell, own.dynamicCell, face, own.isStatic);
+}
 SurfacePlane planeOf(ResolvedFace own, int face) {
-    return facePlane(surfaceId(own.staticCell, own.dynamicCell, face, own.dynamicCell == 0u));
+    return facePlane(besideId(own, face));
 }
 
 // The part of a voxel's cross-section that a face's surface covers, as its sums have it: the coverage, at
@@ -54,7 +57,7 @@ struct Covered {
 Covered coveredPart(ResolvedFace own, int face) {
     vec3 sum = vec3(0.0);
     if (hasFace(own.staticCell, face)) sum = coverageAndPlace(faceId(own.staticCell, face));
-    if (hasFace(own.dynamicCell, face)) sum += coverageAndPlace(faceId(own.dynamicCell, face));
+    if (hasFace(movingCell(own), face)) sum += coverageAndPlace(faceId(own.dynamicCell, face));
     return Covered(min(sum.x, 1.0), sum.yz / max(sum.x, 1e-4) - 0.5);
 }
 
@@ -71,7 +74,7 @@ struct WallSide {
 WallSide wallSide(ResolvedFace own, ResolvedFace at, SurfacePlane plane, uint points, uint but) {
     int axis = own.face >> 1;
     plane.offset += dot(plane.normal, vec3(own.voxel - at.voxel));
-    uint others = (at.staticCell | at.dynamicCell) & VCT_FACE_MASK & ~but;
+    uint others = facesBeside(at) & ~but;
     for (uint left = others; left != 0u; left &= left - 1u) {
         int front = findLSB(left);
         SurfacePlane one = planeOf(at, front);
@@ -105,7 +108,7 @@ void splitByWall(ResolvedFace own, SurfacePlane plane, uint points, inout FaceEx
     if (wall.face < 0 && outwards > 0.7 && 0.5 - plane.offset / outwards < near) {
         ivec3 voxel = voxelInFront(own.voxel, own.face);
         if (voxel != clampToCascade(voxel, own.voxel, frame.gridSide)) return;
-        wall = wallSide(own, cellsIn(own, voxel), plane, points, ownBit);
+        wall = wallSide(own, inVoxel(own, voxel), plane, points, ownBit);
         bits = ownBit;
     }
     if (wall.face < 0) return;
@@ -137,8 +140,8 @@ void main() {
         float planeCoverage = coverageOf(points);
         if (part.coverage < planeCoverage - min(step, 0.1)) {
             // The surface ends in the voxel: at other surfaces, or else as its middle tells.
-            uint cells = own.staticCell | own.dynamicCell;
-            for (uint left = cells & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
+            uint cells = facesBeside(own);
+            for (uint left = cells; left != 0u; left &= left - 1u) {
                 int face = findLSB(left);
                 if (face == own.face) continue;
                 SurfacePlane other = planeOf(own, face);
@@ -175,8 +178,8 @@ void main() {
         // is known better: on a round column of one voxel, such faces would make it half as wide again. The
         // two faces of a flat surface have the same plane. Those of a round one have not, but look alike.
         int most = mainFace(plane.normal);
-        if (abs(plane.normal[axis]) < 0.3 && hasFace(own.staticCell | own.dynamicCell, most)) {
-            uint mostId = surfaceId(own.staticCell, own.dynamicCell, most, own.dynamicCell == 0u);
+        if (abs(plane.normal[axis]) < 0.3 && hasFace(facesBeside(own), most)) {
+            uint mostId = besideId(own, most);
             SurfacePlane other = facePlane(mostId);
             bool isRound = extent.isCurved && faceExtent(mostId).isCurved;
             if (dot(plane.normal, other.normal) > (isRound ? 0.8 : 0.97) &&

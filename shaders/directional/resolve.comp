@@ -9,7 +9,7 @@ void main() {
         uint id = visitedFaceId(i);
         ResolvedFace own = resolvedFace(id);
         if (!own.exists) continue;
-        FaceSums sums = combinedSums(own.staticCell, own.dynamicCell, own.face);
+        FaceSums sums = combinedSums(own.staticCell, movingCell(own), own.face);
         uint visible = visiblePlane(sums, own.face);
         float weight = max(sums.coverage, 1e-4);
         uint at = faceAt(id);

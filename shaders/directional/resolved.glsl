@@ -13,22 +13,31 @@ layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 struct ResolvedFace {
     ivec3 voxel;
     int face;
-    uint staticCell, dynamicCell;  // of the voxel, as far as the face's surface is among them
+    uint staticCell, dynamicCell;  // of the voxel
+    bool isStatic;                 // its surface is that of the static geometry alone
     bool exists;                   // false: no face has the id
 };
+uint dynamicCellAt(ivec3 voxel) {
+    return faceCount(dynamicList) > 0u ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
+}
 ResolvedFace resolvedFace(uint id) {
     ListedFace listed = baseFace(id);
-    bool isStatic = id < commands[0].faceCapacity;
-    uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
-    uint dynamicCell = faceCount(dynamicList) > 0u ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
-    if (listed.isMerged || !hasFace(dynamicCell, listed.face)) dynamicCell = 0u;
-    return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, !(listed.isMerged && isStatic));
+    uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r, dynamicCell = dynamicCellAt(listed.voxel);
+    bool isStatic = listed.isMerged || !hasFace(dynamicCell, listed.face);
+    bool exists = !(listed.isMerged && id < commands[0].faceCapacity);
+    return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, isStatic, exists);
+}
+// Another voxel, as far as the face's surface may meet others there.
+ResolvedFace inVoxel(ResolvedFace own, ivec3 voxel) {
+    return ResolvedFace(voxel, own.face, texelFetch(staticIndex, voxel, 0).r, dynamicCellAt(voxel),
+                        own.isStatic, own.exists);
 }
 
-// The cells of another voxel, with dynamic geometry if the face's surface has any.
-ResolvedFace cellsIn(ResolvedFace own, ivec3 voxel) {
-    own.voxel = voxel;
-    own.staticCell = texelFetch(staticIndex, voxel, 0).r;
-    if (own.dynamicCell != 0u) own.dynamicCell = texelFetch(dynamicIndex, voxel, 0).r;
-    return own;
+// The cell of the dynamic geometry, if the surface has any.
+uint movingCell(ResolvedFace own) {
+    return own.isStatic ? 0u : own.dynamicCell;
+}
+// A bit for each face of the voxel.
+uint facesBeside(ResolvedFace own) {
+    return (own.staticCell | movingCell(own)) & VCT_FACE_MASK;
 }

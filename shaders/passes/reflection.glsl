@@ -201,6 +201,7 @@ vec4 reflectedLight(vec3 position, vec3 normal, float roughness, float direction
 
 // The part of the set for each pixel of 4 x 4; those of 2 x 2 are consecutive.
 int sampleOf(ivec2 pixel) {
-    ivec4 bits = ivec4(pixel, pixel >> 1) & 1;
-    return (bits.x ^ bits.y) * 2 + bits.y + ((bits.z ^ bits.w) * 2 + bits.w) * 4;
+    // The lowest bits, by shifts (directional/face_words.glsl).
+    uvec4 bits = uvec4(pixel, pixel >> 1) << 31u >> 31u;
+    return int((bits.x ^ bits.y) * 2u + bits.y + ((bits.z ^ bits.w) * 2u + bits.w) * 4u);
 }

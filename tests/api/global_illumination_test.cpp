@@ -32,6 +32,7 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
                           " --light direction=-0.4,-1,-0.5,intensity=3");
     Options options = optionsOf(GetParam());
     options.specular = isGlossy;
+    described_.scene.bounds.reset();  // as the program finds them
     GlobalIllumination light(getProcAddress, described_.scene, options);
     const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
     const auto expectAsProgram = [&](unsigned picture, const std::string& file) {
