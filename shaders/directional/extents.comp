@@ -1,5 +1,6 @@
 // Writes which part of its plane each face's surface covers in the voxel (FaceExtent), and its opacity there,
-// from what the face's sums cover and the planes of the voxel's other faces (directional/resolve.comp).
+// from what the face's sums cover and the planes of the voxel's other faces (directional/resolve.comp). Of
+// other faces it reads only what it leaves as it is, so the order of the faces does not matter.
 #include "directional/resolved.glsl"
 
 // Points of a plane in the voxel, on a grid of 4 x 4 across the face; a bit for each.
@@ -138,7 +139,7 @@ void main() {
         float step = abs(plane.normal[axis]) > 0.99 ? 0.06 : 0.09;
         uint points = pointsInside(plane, axis);
         float planeCoverage = coverageOf(points);
-        if (part.coverage < planeCoverage - min(step, 0.1)) {
+        if (part.coverage < planeCoverage - step) {
             // The surface ends in the voxel: at other surfaces, or else as its middle tells.
             uint cells = facesBeside(own);
             for (uint left = cells; left != 0u; left &= left - 1u) {
