@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "engine/directional/directional_voxelizer.h"
 #include "engine/directional/directional_voxels.h"
+#include "engine/voxelization.h"
 
 namespace vct {
 
@@ -21,7 +22,7 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
     atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d, settings.cascades * settings.grid,
             "needed for the voxels at " + cubed + "; use a coarser grid");
     atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
-            faces ? FaceProjection::sideFor(settings.grid) : settings.grid,
+            faces ? FaceProjection::sideFor(settings.grid, pixelSamplesFor(capabilities)) : settings.grid,
             "needed for voxelization at " + cubed + "; use a coarser grid");
     atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, std::max(settings.size.x, settings.size.y),
             "needed for the picture; use a smaller picture");

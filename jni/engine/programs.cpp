@@ -58,6 +58,7 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
                                 gl::ReadShader read, std::shared_ptr<gl::ProgramCache> cache) {
     std::vector<std::string> defines;
     if (settings.cascades > 1) defines.push_back("VCT_CASCADES " + std::to_string(settings.cascades));
+    defines.push_back("VCT_PIXEL_SAMPLES " + std::to_string(pixelSamplesFor(capabilities)));
     // llvmpipe emulates the rounding of mediump, which makes the last pass up to twice as slow.
     if (capabilities.softwareDriver) defines.emplace_back("mediump highp");
     return {std::move(read), capabilities.language(), std::move(defines), std::move(cache)};

@@ -67,6 +67,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
                    std::shared_ptr<gl::ProgramCache> programs)
     : settings_(validated(settings, capabilities)),
       voxelization_(voxelizationFor(settings.voxels, capabilities)),
+      pixelSamples_(pixelSamplesFor(capabilities)),
       texturesInMainMemory_(capabilities.texturesInMainMemory),
       shaders_(shaderLibrary(settings, capabilities, std::move(readShader), std::move(programs))),
       light_(light),
@@ -282,7 +283,8 @@ VoxelVolume& Renderer::voxels() {
     if (packed)
         voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_, voxelization_);
     else
-        voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, lightFeatures());
+        voxels_ =
+            std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, pixelSamples_, lightFeatures());
     return *voxels_;
 }
 

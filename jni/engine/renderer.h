@@ -180,6 +180,7 @@ class Renderer {
 
     Settings settings_;
     Voxelization voxelization_;
+    int pixelSamples_;
     bool texturesInMainMemory_;
     gl::ShaderLibrary shaders_;
     DirectionalLight light_;

@@ -28,6 +28,12 @@ inline Voxelization voxelizationFor(Voxels voxels, const gl::Capabilities& capab
                : Voxelization::sortedAxes;
 }
 
+// Samples of a pixel while directional voxels are made: four if a fragment knows which of them its triangle
+// covers. Without GL_OES_sample_variables, each sample is a pixel.
+inline int pixelSamplesFor(const gl::Capabilities& capabilities) {
+    return capabilities.meets("GL_OES_sample_variables") ? 4 : 1;
+}
+
 // A note for the user if packed voxels have to do without the geometry shader; else "".
 inline std::string voxelizationNote(Voxels voxels, const gl::Capabilities& capabilities) {
     if (voxels == Voxels::directional ||

@@ -248,10 +248,12 @@ Framebuffer::~Framebuffer() {
     if (static_cast<GLuint>(bound) == handle_.get()) BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Framebuffer::Framebuffer(const std::string& label, int width, int height) : width_(width), height_(height) {
+Framebuffer::Framebuffer(const std::string& label, int width, int height, int samples)
+    : width_(width), height_(height) {
     create(label);
     FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
     FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    if (samples > 1) FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples);
     const GLenum none = GL_NONE;
     DrawBuffers(1, &none);
     check(label);

@@ -137,8 +137,8 @@ class VertexArray {
 };
 
 // A framebuffer: one level of each colour target, in order, and of a depth target, which may be null. Without
-// targets, `width` and `height` are its default size (GL_FRAMEBUFFER_DEFAULT_WIDTH). Draw into it through
-// RenderPass (gl/render_pass.h).
+// targets, `width`, `height` and `samples` are its default size and samples per pixel
+// (GL_FRAMEBUFFER_DEFAULT_WIDTH). Draw into it through RenderPass (gl/render_pass.h).
 class Framebuffer {
   public:
     struct Attachment {
@@ -150,7 +150,7 @@ class Framebuffer {
     Framebuffer() = default;
     Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth,
                 int level = 0);
-    Framebuffer(const std::string& label, int width, int height);
+    Framebuffer(const std::string& label, int width, int height, int samples = 1);
     // One layer of an array texture as the depth target, without colour targets.
     Framebuffer(const std::string& label, const Texture& depths, GLint layer);
     // The default framebuffer of the current context.

@@ -34,6 +34,11 @@ const Feature features[] = {
      false,
      "voxelization in the preset thesis: projects each triangle along its dominant axis; without it the CPU "
      "sorts triangles by axis, which gives the same voxels"},
+    {{"GL_OES_sample_variables"},
+     {3, 2, 4, 5},
+     false,
+     "voxelization in the presets mobile and quality: a pixel counts its samples; without it each sample is "
+     "a pixel, which takes longer"},
     {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
      {3, 2, 3, 0},
      true,

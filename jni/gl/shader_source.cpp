@@ -30,6 +30,8 @@ std::string header(const std::string& stage, Language language) {
         // Enables `precise` if the driver has it (shared/dominant_axis.h).
         if (stage != ".frag") text += "#extension GL_EXT_gpu_shader5 : enable\n";
         if (stage == ".frag" || stage == ".comp") text += "#extension GL_OES_shader_image_atomic : require\n";
+        // For the coverage of voxels (directional/coverage.glsl), if the driver has it.
+        if (stage == ".frag") text += "#extension GL_OES_sample_variables : enable\n";
     }
     text += "precision highp float;\nprecision highp int;\n";
     for (const char* type :

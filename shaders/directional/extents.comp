@@ -175,6 +175,10 @@ void main() {
             // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
             opacity = part.coverage >= covered - step ? 0.996 : part.coverage / max(covered, 0.05);
         }
+        // A sliver of a round surface: with what rays add beyond its edges (acrossPlane), it would make a
+        // column wider than it is.
+        const float sliver = 0.14;
+        if (extent.isCurved && part.coverage < sliver) opacity = 0.0;
         // A surface that looks past its face is met at the face that it looks towards. There what it covers
         // is known better: on a round column of one voxel, such faces would make it half as wide again. The
         // two faces of a flat surface have the same plane. Those of a round one have not, but look alike.

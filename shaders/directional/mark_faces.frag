@@ -7,13 +7,16 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 void main() {
-    vec3 coverage = fragmentCoverage();
+    Samples samples = fragmentSamples();
     if (materialHasHoles && materialIsHole(materialBaseColor().a)) discard;
-    uint faces = coveredFaces(coverage);
-    if (materialIsDoubleSided) faces |= coveredFaces(-coverage);
-    ivec3 voxel = listedVoxel(fragmentVoxel());
+    while (samples.left != 0u) {
+        Part part = nextPart(samples);
+        uint faces = coveredFaces(part.coverage);
+        if (materialIsDoubleSided) faces |= coveredFaces(-part.coverage);
+        ivec3 voxel = listedVoxel(part.voxel);
 #if VCT_CASCADES > 1
-    if (isKept(fragmentVoxel()) || imageLoad(index, voxel).r > VCT_FACE_MASK) discard;
+        if (isKept(part.voxel) || imageLoad(index, voxel).r > VCT_FACE_MASK) continue;
 #endif
-    if (faces != 0u && imageAtomicOr(index, voxel, faces) == 0u) appendVoxel(list, uvec3(voxel));
+        if (faces != 0u && imageAtomicOr(index, voxel, faces) == 0u) appendVoxel(list, uvec3(voxel));
+    }
 }

@@ -15,7 +15,7 @@
 layout(location = VCT_ATTRIBUTE_POSITION) in vec3 position;
 layout(location = VCT_ATTRIBUTE_NORMAL) in vec3 normal;
 out vec3 fragmentPosition;
-out vec3 fragmentNormal;
+centroid out vec3 fragmentNormal;
 
 #ifdef VCT_SORTED_AXES
 #include "shared/projection.glsl"

@@ -9,6 +9,7 @@
 #include "image/image.h"
 #include "stand_in/stand_in.h"
 #include "support/errors.h"
+#include "support/lesser_driver.h"
 #include "support/moving_scenes.h"
 #include "support/temporary_folder.h"
 
@@ -248,19 +249,6 @@ TEST(Display, IsReadableOnAPhoneUprightAndSideways) {
         expectText(android.screen, 0, 0, 1000, 1080);
     }
 }
-
-// Mesa can leave extensions out.
-class LesserDriver {
-  public:
-    LesserDriver(const char* version, const char* extensions) {
-        setenv("MESA_GLES_VERSION_OVERRIDE", version, 1);
-        setenv("MESA_EXTENSION_OVERRIDE", extensions, 1);
-    }
-    ~LesserDriver() {
-        unsetenv("MESA_GLES_VERSION_OVERRIDE");
-        unsetenv("MESA_EXTENSION_OVERRIDE");
-    }
-};
 
 TEST(Display, SaysWhichExtensionIsMissing) {
     for (const char* version : {"3.1", "3.0"}) {

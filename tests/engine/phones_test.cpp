@@ -127,7 +127,7 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
         {mobile, &gl::Limits::texture3d, 64, "GL_MAX_3D_TEXTURE_SIZE >= 64"},
         {finest, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
         {thesis, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
-        {mobile, &gl::Limits::framebufferWidth, 256, "GL_MAX_FRAMEBUFFER_WIDTH >= 256"},
+        {mobile, &gl::Limits::framebufferWidth, 128, "GL_MAX_FRAMEBUFFER_WIDTH >= 128"},
         {thesis, &gl::Limits::framebufferWidth, 512, "GL_MAX_FRAMEBUFFER_WIDTH >= 512"},
         {mobile, &gl::Limits::texture2d, 2340, "GL_MAX_TEXTURE_SIZE >= 2340"},
         {thesis, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},

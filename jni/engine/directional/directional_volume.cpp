@@ -51,7 +51,7 @@ std::uint32_t movedCascades(const CascadeShifts& shifts) {
 }  // namespace
 
 DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene,
-                                     const Settings& settings, const LightFeatures& sources)
+                                     const Settings& settings, int pixelSamples, const LightFeatures& sources)
     : shaders_(shaders),
       settings_(settings),
       sources_(sources),
@@ -60,7 +60,7 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       hasDynamic_(scene.moves() || voxelizesAll_),
       voxels_(shaders, settings.grid, settings.cascades, settings.activeVoxelLimit, hasDynamic_,
               sources.emission),
-      voxelizer_(shaders, scene, settings.grid, sources.emission),
+      voxelizer_(shaders, scene, settings.grid, pixelSamples, sources.emission),
       counts_("counts of listed faces", sizeof(shared::CommandLists)),
       injector_(shaders, sources) {}
 

@@ -16,7 +16,7 @@ namespace vct {
 class DirectionalVolume final : public VoxelVolume {
   public:
     DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
-                      const LightFeatures& sources);
+                      int pixelSamples, const LightFeatures& sources);
 
     void prepare(const GpuScene& scene, const Cascades& cascades) override;
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;

@@ -11,10 +11,11 @@ namespace vct {
 
 namespace {
 
-// Four pixels per voxel and axis, so that the coverage of a face has steps of 1/16, and the edge of a closed
-// box has no slit of more than an eighth of a voxel through which light leaks.
-glm::ivec4 viewportFor(int grid) {
-    return {0, 0, 4 * grid, 4 * grid};
+// Sixteen samples per voxel and axis, so that the coverage of a face has steps of 1/16, and the edge of a
+// closed box has no slit of more than an eighth of a voxel through which light leaks.
+glm::ivec4 viewportFor(int grid, int pixelSamples) {
+    const int side = (pixelSamples == 1 ? 4 : 2) * grid;
+    return {0, 0, side, side};
 }
 
 }  // namespace
@@ -36,12 +37,12 @@ gl::ProgramDescription accumulateProgram(unsigned features, bool emission) {
         Voxelization::sortedAxes);
 }
 
-FaceProjection::FaceProjection(int grid)
-    : viewport_(viewportFor(grid)), framebuffer_("face voxelizer", sideFor(grid), sideFor(grid)) {}
+FaceProjection::FaceProjection(int grid, int pixelSamples)
+    : viewport_(viewportFor(grid, pixelSamples)),
+      framebuffer_("face voxelizer", viewport_.z, viewport_.w, pixelSamples) {}
 
-int FaceProjection::sideFor(int grid) {
-    const glm::ivec4 viewport = viewportFor(grid);
-    return viewport.x + viewport.z;
+int FaceProjection::sideFor(int grid, int pixelSamples) {
+    return viewportFor(grid, pixelSamples).z;
 }
 
 void FaceProjection::use() const {
@@ -50,12 +51,12 @@ void FaceProjection::use() const {
 }
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                                           bool emission)
+                                           int pixelSamples, bool emission)
     : grid_(grid),
       markFaces_(shaders, scene, markFacesProgram),
       accumulate_(shaders, scene, [=](unsigned features) { return accumulateProgram(features, emission); }),
       listFaces_(shaders, listFacesProgram()),
-      projection_(grid) {}
+      projection_(grid, pixelSamples) {}
 
 void DirectionalVoxelizer::drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs,
                                             ScenePart part, const Region& region) const {

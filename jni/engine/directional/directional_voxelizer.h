@@ -13,16 +13,17 @@ gl::ProgramDescription markFacesProgram(unsigned features);
 gl::ProgramDescription listFacesProgram();
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
-// The viewport that the volume is projected to along an axis, four pixels per voxel. The framebuffer has no
-// attachments, because the fragments write to buffers and images.
+// The viewport that the volume is projected to along an axis. A voxel is sixteen samples: two pixels wide
+// with four samples each, or four pixels wide with one sample if the driver does not say which samples a
+// triangle covers. The framebuffer has no attachments, because the fragments write to buffers and images.
 class FaceProjection {
   public:
-    explicit FaceProjection(int grid);
+    FaceProjection(int grid, int pixelSamples);
 
     // Sets the framebuffer and the viewport for the next draws.
     void use() const;
     // Side of the framebuffer in pixels.
-    static int sideFor(int grid);
+    static int sideFor(int grid, int pixelSamples);
 
   private:
     glm::ivec4 viewport_;  // x, y, width, height
@@ -31,7 +32,8 @@ class FaceProjection {
 
 class DirectionalVoxelizer {
   public:
-    DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, bool emission);
+    DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, int pixelSamples,
+                         bool emission);
 
     // The part of the cascades that is voxelized.
     struct Region {
