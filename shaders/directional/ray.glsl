@@ -81,9 +81,13 @@ uint faceBehind(ivec3 voxel, int face, vec3 wallNormal) {
     return found;
 }
 
-// The id of the first face of a voxel that a ray meets. `start`: of the ray. `reach`: limit of the distance,
-// then that of the hit.
-uint firstFace(ivec3 voxel, uint geometry, vec3 start, vec3 direction, float dice, inout float reach) {
+// The first face of a voxel that a ray meets.
+struct FirstFace {
+    int face;  // -1: the ray meets none
+    bool isBack;
+};
+// `start`: of the ray. `reach`: limit of the distance, then that of the hit.
+FirstFace firstFace(ivec3 voxel, uint geometry, vec3 start, vec3 direction, float dice, inout float reach) {
     VoxelCells cells = cellsOf(voxel, geometry);
     bool meetsBacks = (geometry & backsOfFaces) != 0u;
     vec3 origin = start - vec3(voxel) - 0.5;
@@ -118,20 +122,20 @@ uint firstFace(ivec3 voxel, uint geometry, vec3 start, vec3 direction, float dic
         first = face;
         isBackFirst = isBack;
     }
-    if (first < 0) return noFace;
-    if (isBackFirst) return backOfFace;
+    return FirstFace(first, isBackFirst);
+}
+
+// The id of a face that a ray meets at a point, in voxels.
+uint idOfHit(ivec3 voxel, int face, uint geometry, vec3 point) {
+    VoxelCells cells = cellsOf(voxel, geometry);
+    uint id = faceId(hasFace(cells.still, face) ? cells.still : cells.moving, face);
     // Behind a thin wall the surface is of the face beside.
-    WallFace wall = wallAcross(faceExtent(faceOf(cells, first)), voxel, first);
-    if (wall.face >= 0) {
-        SurfacePlane plane = facePlane(faceOf(cellsOf(wall.voxel, geometry), wall.face));
-        vec3 point = start + reach * direction - vec3(wall.voxel) - 0.5;
-        if (dot(point, plane.normal) - plane.offset < -acrossPlane) {
-            uint behind = faceBehind(voxel, first, plane.normal);
-            if (behind != noFace) return behind;
-            if (meetsBacks) return backOfFace;
-        }
-    }
-    return faceId(hasFace(cells.still, first) ? cells.still : cells.moving, first);
+    WallFace wall = wallAcross(faceExtent(faceOf(cells, face)), voxel, face);
+    if (wall.face < 0) return id;
+    SurfacePlane plane = facePlane(faceOf(cellsOf(wall.voxel, geometry), wall.face));
+    if (dot(point - vec3(wall.voxel) - 0.5, plane.normal) - plane.offset >= -acrossPlane) return id;
+    uint behind = faceBehind(voxel, face, plane.normal);
+    return behind != noFace ? behind : (geometry & backsOfFaces) != 0u ? backOfFace : id;
 }
 
 // The layers of the texture of occupied voxels that a ray reads: those from `first` on, and behind them by
@@ -186,8 +190,8 @@ uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
     vec3 leaves = mix(vec3(-1e-3), vec3(1.001), ray.ahead);
     ivec3 voxel = ivec3(origin + ray.direction * now);
     int side = now < exit ? emptySide(voxel, ray.layers) : 1;
-    uint id = noFace;
-    while (now < exit && id == noFace) {
+    FirstFace first = FirstFace(-1, false);
+    while (now < exit && first.face < 0) {
         // To the next voxel with a face.
         while (side != 0) {
             vec3 borders = (vec3(voxel & -side) + leaves * float(side) - origin) * ray.inverse;
@@ -198,11 +202,12 @@ uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
         }
         if (side != 0) break;
         float found = end;
-        id = firstFace(voxel, ray.geometry, origin, ray.direction, ray.dice, found);
-        if (id != noFace) now = found;
+        first = firstFace(voxel, ray.geometry, origin, ray.direction, ray.dice, found);
+        if (first.face >= 0) now = found;
         side = 1;
     }
-    return id;
+    if (first.face < 0) return noFace;
+    return first.isBack ? backOfFace : idOfHit(voxel, first.face, ray.geometry, origin + now * ray.direction);
 }
 
 // Traces a ray from `start`, in voxels of the cascade `own`, up to the distance `reach`, through some of the

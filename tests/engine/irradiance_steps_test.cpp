@@ -56,6 +56,22 @@ TEST(Irradiance, InAStaticSceneConvergesToPicturesEqualToTheBitWithoutADispatch)
     }
 }
 
+// The four steps trace all cached rays, and each adds four bounces. With one, the difference would be a
+// quarter of the mean light.
+TEST(Irradiance, IsNearItsEndFourFramesAfterAStart) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobileSettings());
+    const Camera camera = chooseCamera(scene, "");
+    const auto afterFrames = [&](int frames) {
+        for (int i = 0; i < frames; ++i)
+            renderer.render({{Output::gi}, camera});
+        return readIrradiance(renderer);
+    };
+    const IrradianceByFace fourth = afterFrames(4), sixteenth = afterFrames(12);
+    expectAlike(fourth, sixteenth, 0.18, "four frames");
+}
+
 TEST(Irradiance, OneConvergedFrameEqualsAllFramesUntilThen) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
@@ -112,7 +128,7 @@ TEST(Irradiance, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
         for (int c = 0; c < 3; ++c) {
             const float value = picture.pixels[i][c];
             const float difference = std::abs(otherPicture.pixels[i][c] - value);
-            ASSERT_LE(difference, 0.2F * value + 1e-4F) << "pixel " << i;
+            ASSERT_LE(difference, 0.5F * value + 1e-4F) << "pixel " << i;
             moved += difference > 0.005F * value + 1e-4F ? 1 : 0;
         }
     EXPECT_LE(moved, 15);

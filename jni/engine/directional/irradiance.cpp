@@ -232,10 +232,12 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
     if (plan_.updatesSky) runOverAll(sky_, voxels);
     if (plan_.traces) run(trace_, voxels);
     if (block_ && (plan_.traces || plan_.updatesSky)) runOverAll(*block_, voxels);
-    run(gather_, voxels);
-    if (plan_.refiningStep >= 0) run(refine_, voxels);
-    run(smoothRows_, voxels);
-    run(smooth_, voxels);
+    for (int bounce = 0; bounce < plan_.bounces; ++bounce) {
+        run(gather_, voxels);
+        if (plan_.refiningStep >= 0) run(refine_, voxels);
+        run(smoothRows_, voxels);
+        run(smooth_, voxels);
+    }
 }
 
 void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {

@@ -53,6 +53,7 @@ class Irradiance {
     void useBaked(std::shared_ptr<const BakedLight> light, bool isCurrent) {
         baked_ = std::move(light);
         isBakedCurrent_ = isCurrent;
+        schedule_.startLit();
     }
     // The light of the static faces, for one cascade. Waits for the GPU.
     std::vector<BakedLight::Face> bake(const DirectionalVoxels& voxels) const;

@@ -1,11 +1,11 @@
 // Decides what each light step does. It uses no GL, so that unit tests can run it alone.
 //
-// Each step lights all faces from the hits of their cached rays, so it adds one bounce. After a change there
-// are three states: `lightFrames` steps add bounces; then, if the settings ask for it, further rays refine
-// the means; then the light has converged, and no step runs until something changes. After a move of cascades
-// the steps visit only the faces that it has changed, and trace their rays at a slower pace, because these
-// faces show the light of a coarser cascade meanwhile. The step of the move itself, which has new faces to
-// voxelize, does not gather.
+// Each step lights all faces from the hits of their cached rays, so it adds one bounce; the first steps,
+// whose picture starts dark, add four. After a change there are three states: `lightFrames` steps add
+// bounces; then, if the settings ask for it, further rays refine the means; then the light has converged, and
+// no step runs until something changes. After a move of cascades the steps visit only the faces that it has
+// changed, and trace their rays at a slower pace, because these faces show the light of a coarser cascade
+// meanwhile. The step of the move itself, which has new faces to voxelize, does not gather.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +25,7 @@ struct LightPlan {
     bool gathers = true;              // faces find the light that they receive
     bool traces = false;              // cached rays may be unknown or out of date
     std::uint32_t rays = 0;           // new rays per face
+    int bounces = 1;                  // times that the faces find the light that they receive
     bool visitsAll = true;            // the step visits all faces; false: a list of them
     bool listsVisited = false;        // the faces of that list have changed
     std::uint32_t visitsSince = 0;    // step, counted from 1, since which the faces of the list have changed
@@ -58,6 +59,8 @@ class LightSchedule {
     static constexpr int emitterTurns = 16;
     // Returns the parameters of the next step.
     LightPlan advance(const Change& change);
+    // The faces have light before the first step.
+    void startLit() { startsDark_ = false; }
     // The last step has taken over converged light, without rays.
     void end() {
         stepsLeft_ = 0;
@@ -78,6 +81,7 @@ class LightSchedule {
     std::uint32_t frame_ = 0;
     // The step, counted from 1, in which light changed everywhere; 0: a refinement has visited all since.
     std::uint32_t changedAll_ = 0;
+    bool startsDark_ = true;
     bool visitedAll_ = true;  // in the last step
     bool gathered_ = true;    // in the last step
 };
