@@ -228,7 +228,7 @@ shared::FrameUniforms Renderer::uploadFrameUniforms(const Camera& camera, const 
     setCascades(values, cascades_, last, light_, boundsWorld_, volume_, settings_);
     values.faceSumUnits = faceSumUnits(triangles_);
     values.emissionRange = emissionRange_;
-    values.hasDynamicObjects = scene_.moves() || settings_.revoxelize ? 1 : 0;
+    values.hasDynamicObjects = scene_.moves() || (settings_.revoxelize && settings_.cascades == 1) ? 1 : 0;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);

@@ -51,7 +51,7 @@ void main() {
         if (isRefining()) shown = mix(shown, window, lightStep.refiningWeight);
         // A face that has taken over its light shows that until it has traced rays of its own.
         FaceSight sight = faceSight(id);
-        if (before.rgb != vec3(0.0))
+        if (lightStep.startsDark == 0u && before.rgb != vec3(0.0))
             shown = mix(before, shown, min(float(sight.rays + sight.backs) / float(VCT_DIRECTIONS), 1.0));
         if (lightStep.endsRefinement != 0u) {
             if (id < commands[0].faceCapacity) faceIrradianceData[changedAt(id)] = 0u;

@@ -290,7 +290,7 @@ struct LightStep {
     float refiningWeight;  // weight of the refinement in what is shown, 0..1
     uint interrupts;       // 1: the step ends a refinement too early
     uint endsRefinement;   // 1: the step is the last one of a refinement
-    uint updatesDirect;    // 1: direct light has changed
+    uint startsDark;       // 1: no face had light before its first rays
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
     uint bricksAlong;      // bricks along x and y of their texture
     uint firstForward;     // words of the buffer where the faces' next ids or last changes begin,

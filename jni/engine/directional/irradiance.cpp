@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -411,6 +412,9 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
 }
 
+// The layout std140 aligns arrays of structures to 16 bytes.
+static_assert(offsetof(shared::LightStep, bricks) % 16 == 0 && offsetof(shared::LightStep, object) % 16 == 0);
+
 void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const {
     shared::LightStep values{};
     values.frame = plan_.frame;
@@ -428,7 +432,7 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     }
     values.interrupts = plan_.interrupts ? 1 : 0;
     values.endsRefinement = plan_.endsRefinement() ? 1 : 0;
-    values.updatesDirect = plan_.updatesDirect ? 1 : 0;
+    values.startsDark = plan_.startsDark ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
     values.bricksAlong = bricksAlong_;
     std::copy(brickRooms_.begin(), brickRooms_.end(), values.bricks);

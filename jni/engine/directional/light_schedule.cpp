@@ -12,8 +12,8 @@ constexpr int minFramesToRefine = 16;
 // After a move of cascades, so many steps share the rays of one.
 constexpr int movePace = 4;
 
-// The first steps add more bounces than the later ones.
-constexpr std::uint32_t firstSteps = 4;
+// The first steps add more bounces, so that the first picture is as bright as the later ones.
+constexpr std::uint32_t firstSteps = 2;
 constexpr int firstBounces = 4;
 
 }  // namespace
@@ -42,7 +42,8 @@ LightPlan LightSchedule::advance(const Change& change) {
     // This step traces some rays of moving objects, and those after it trace each of them once.
     if (change.lists) tracingStepsLeft_ = (change.isMove() ? movePace : 1) * tracingSteps_ + 1;
     plan.traces = tracingStepsLeft_ > 0;
-    plan.bounces = startsDark_ && plan.frame < firstSteps ? firstBounces : 1;
+    plan.startsDark = startsDark_ && plan.frame < static_cast<std::uint32_t>(tracingSteps_);
+    plan.bounces = plan.startsDark && plan.frame < firstSteps ? firstBounces : 1;
     // In a frame in which nothing moves, the hits of moving objects may still be those of earlier poses.
     plan.movingRays = change.lists ? static_cast<std::uint32_t>(rayBudget_) : 0;
     plan.minMovingRays = change.lists ? 1 : static_cast<std::uint32_t>(rays_);
