@@ -31,14 +31,24 @@ std::string number(float value) {
 
 std::vector<std::string> gatherDefines(const GatherSettings& settings) {
     return {"VCT_GATHER_DIRECTIONS " + std::to_string(settings.directionSet()),
-            "VCT_DIRECTIONS " + std::to_string(settings.directions)};
+            "VCT_DIRECTIONS " + std::to_string(settings.directions),
+            "VCT_HIT_BITS " + std::to_string(settings.hitBits)};
 }
 
 std::vector<std::string> lightDefines(const LightFeatures& sources) {
     std::vector<std::string> defines;
     if (sources.environment) defines.emplace_back("VCT_ENVIRONMENT");
-    if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
+    if (sources.emitterParts > 0) defines.push_back("VCT_EMITTERS " + std::to_string(seenPartWords(sources)));
     return defines;
+}
+
+std::uint32_t seenPartWords(const LightFeatures& sources) {
+    return static_cast<std::uint32_t>(sources.emitterParts + 7) / 8;
+}
+
+std::uint32_t faceIrradianceWords(const LightFeatures& sources) {
+    return sources.emitterParts == 0 ? VCT_FACE_IRRADIANCE_WORDS
+                                     : VCT_FACE_IRRADIANCE_WORDS + 2 + seenPartWords(sources);
 }
 
 std::vector<std::string> emissionDefines(bool emission) {

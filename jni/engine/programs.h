@@ -32,10 +32,14 @@ std::vector<std::string> gatherDefines(const GatherSettings& settings);
 struct LightFeatures {
     bool punctual = false;      // punctual lights (passes/punctual_lights.h)
     bool environment = false;   // a sky that depends on direction (environment.h)
-    bool emitters = false;      // compact emitters (emitters.h)
+    int emitterParts = 0;       // parts of compact emitters (emitters.h)
     bool emission = false;      // surfaces that emit light
     bool softPunctual = false;  // punctual lights have a size of their own (PunctualLight::size)
 };
+// Words per face of the buffer of face irradiance (shaders/directional/face_irradiance.glsl), and those among
+// them for the visible shares of the emitters' parts.
+std::uint32_t faceIrradianceWords(const LightFeatures& sources);
+std::uint32_t seenPartWords(const LightFeatures& sources);
 // The defines of shaders that gather light.
 std::vector<std::string> lightDefines(const LightFeatures& sources);
 // The define of shaders that read or write the sums of directional voxels' faces.

@@ -42,6 +42,7 @@ enum class Voxels {
 struct GatherSettings {
     int directions = 64;        // cached rays per face; a power of two
     int refinedDirections = 0;  // rays per face that refine the light at rest; a power of two; 0: none
+    int hitBits = 24;           // per cached ray: Irradiance::fitting()
     int rays = 8;               // rays per face and light step, of those that are new and that refine
     // Rays of all faces of moving objects together that are traced again in a frame in which one moves.
     int rayBudget = 16384;

@@ -34,18 +34,20 @@ void main() {
         uint unknown = 0u, backs = 0u;
         uint at = hitsAt(id, 0u), fromAt = hitsAt(max(from, 1u) - 1u, 0u);
         for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
-            uvec4 hits = cachedHitsFrom(fromAt);
+            uvec4 hits = cachedHitsFrom(fromAt, quad & 1u);
             if (from == 0u) hits = uvec4(VCT_HIT_UNKNOWN);
             hits = uvec4(hitInNewLists(hits.x, last), hitInNewLists(hits.y, last),
                          hitInNewLists(hits.z, last), hitInNewLists(hits.w, last));
-            storeCachedHitsFrom(at, hits);
+            storeCachedHitsFrom(at, quad & 1u, hits);
             // The bit of a nearby hit is shifted out.
             vec4 isUnknown = vec4(equal(hits, uvec4(VCT_HIT_UNKNOWN)));
-            vec4 isBack = vec4(equal(hits << 9u, uvec4(VCT_HIT_BACK << 9u)));
+            vec4 isBack = vec4(equal(hits << codeShift, uvec4(VCT_HIT_BACK << codeShift)));
             unknown += uint(dot(isUnknown, vec4(1.0)));
             backs += uint(dot(isBack, vec4(1.0)));
-            at += hitsStep;
-            fromAt += hitsStep;
+            if ((quad & 1u) != 0u) {
+                at += hitsStep;
+                fromAt += hitsStep;
+            }
         }
         uint known = uint(VCT_DIRECTIONS) - unknown - backs;
         // The means over the rays that are known, of those that hit the sky.

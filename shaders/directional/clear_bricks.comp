@@ -16,7 +16,7 @@ void main() {
     int side = frame.gridSide >> VCT_BRICK_LEVEL, cascade = texel.z / side;
     if ((placed >> uint(cascade) & 1u) != 0u) {
         imageStore(brickSlots, texel, uvec4(0u));
-        if (texel == ivec3(0, 0, cascade * side)) fullBricks[cascade] = flatBricks[cascade] = 0u;
+        if (texel == ivec3(0, 0, cascade * side)) brickLayers[cascade] = 0u;
     }
     if ((moved >> uint(cascade) & 1u) == 0u) return;
     for (int word = 0; word < 2; ++word)

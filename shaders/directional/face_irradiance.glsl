@@ -28,15 +28,22 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 #define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; storeBlockedCounts()
 #define VCT_FACE_ROW 20u                    // two words: mean of `now` over a row of neighbouring faces
 #define VCT_FACE_EMITTERS 22u               // two words: irradiance by the compact emitters
-#define VCT_FACE_SEEN_PARTS 24u             // four words: visible share of the emitters' parts, 4 bits each
+// VCT_EMITTERS words: visible share of the emitters' parts, 4 bits each.
+#define VCT_FACE_SEEN_PARTS 24u
 #ifdef VCT_EMITTERS
-#define VCT_IRRADIANCE_WORDS VCT_EMITTERS_FACE_IRRADIANCE_WORDS
+#define VCT_IRRADIANCE_WORDS (VCT_FACE_SEEN_PARTS + uint(VCT_EMITTERS))
 #else
 #define VCT_IRRADIANCE_WORDS VCT_FACE_IRRADIANCE_WORDS
 #endif
 uint irradianceAt(uint id) {
     return VCT_IRRADIANCE_WORDS * id;
 }
+
+#ifndef VCT_HIT_BITS
+#define VCT_HIT_BITS 24
+#endif
+#define VCT_HIT_NEAR (1u << (VCT_HIT_BITS - 1))
+const uint codeShift = 33u - uint(VCT_HIT_BITS);  // moves a hit's highest bit out of a word
 
 // Upper limit of stored light. The largest half float is 65504.
 const float maxStoredLight = 6e4;
@@ -93,43 +100,69 @@ float closeness(float nearness) {
     return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
 }
 
-// Four hits of 24 bits in three words: each word has one, and a byte of the fourth.
+// Hits have as few bits as the ids of the faces need (hitsWord()). VCT_HIT_BITS: 16, 20 or 24.
 #ifdef VCT_DIRECTIONS
-uint hitsAt(uint id, uint quad) {
-    return lightStep.firstHit + hitsWord(id, quad, uint(VCT_DIRECTIONS));
+uint hitsAt(uint id, uint octet) {
+    return lightStep.firstHit + hitsWord(id, octet, uint(VCT_DIRECTIONS), uint(VCT_HIT_BITS));
 }
-const uint hitsStep = 3u * VCT_FACE_GROUP;  // from four hits to the next four
-uvec4 cachedHitsFrom(uint at) {
-    uvec3 words = uvec3(faceIrradianceData[at], faceIrradianceData[at + VCT_FACE_GROUP],
-                        faceIrradianceData[at + 2u * VCT_FACE_GROUP]);
-    uvec3 parts = words >> 24u;
-    return uvec4(words << 8u >> 8u, parts.x | parts.y << 8u | parts.z << 16u);
+const uint hitsStep = uint(VCT_HIT_BITS) / 4u * VCT_FACE_GROUP;  // from eight hits to the next eight
+#if VCT_HIT_BITS > 16
+const uint upperBits = uint(VCT_HIT_BITS) - 16u;
+// The word with the upper bits of a hit of an octet, and the position of the bits in it.
+uint upperAt(uint at, uint place) {
+    return at + (4u + upperBits * place / 32u) * VCT_FACE_GROUP;
 }
-void storeCachedHitsFrom(uint at, uvec4 hits) {
-    faceIrradianceData[at] = hits.x | hits.w << 24u;
-    faceIrradianceData[at + VCT_FACE_GROUP] = hits.y | hits.w >> 8u << 24u;
-    faceIrradianceData[at + 2u * VCT_FACE_GROUP] = hits.z | hits.w >> 16u << 24u;
+uint upperShift(uint place) {
+    return upperBits * place & 31u;
+}
+#endif
+// The first or the last four hits of the octet at a position. `part`: 0 or 1.
+uvec4 cachedHitsFrom(uint at, uint part) {
+    uint first = at + 2u * part * VCT_FACE_GROUP;
+    uvec2 lower = uvec2(faceIrradianceData[first], faceIrradianceData[first + VCT_FACE_GROUP]);
+    uvec4 hits = uvec4(lower.x << 16u >> 16u, lower.x >> 16u, lower.y << 16u >> 16u, lower.y >> 16u);
+#if VCT_HIT_BITS > 16
+    uint upper = faceIrradianceData[upperAt(at, 4u * part)] >> upperShift(4u * part);
+    uvec4 parts = uvec4(upper, upper >> upperBits, upper >> 2u * upperBits, upper >> 3u * upperBits);
+    hits |= parts << (32u - upperBits) >> (16u - upperBits);
+#endif
+    return hits;
+}
+void storeCachedHitsFrom(uint at, uint part, uvec4 hits) {
+    uint first = at + 2u * part * VCT_FACE_GROUP;
+    faceIrradianceData[first] = hits.x << 16u >> 16u | hits.y << 16u;
+    faceIrradianceData[first + VCT_FACE_GROUP] = hits.z << 16u >> 16u | hits.w << 16u;
+#if VCT_HIT_BITS > 16
+    uvec4 parts = hits >> 16u;
+    uint upper = parts.x | parts.y << upperBits | parts.z << 2u * upperBits | parts.w << 3u * upperBits;
+    uint word = upperAt(at, 4u * part);
+#if VCT_HIT_BITS == 20
+    uint shift = upperShift(4u * part);
+    upper = faceIrradianceData[word] & ~(0xFFFFu << shift) | upper << shift;
+#endif
+    faceIrradianceData[word] = upper;
+#endif
 }
 // The hits of the cached rays 4 `quad` to 4 `quad` + 3.
 uvec4 cachedHits(uint id, uint quad) {
-    return cachedHitsFrom(hitsAt(id, quad));
+    return cachedHitsFrom(hitsAt(id, quad >> 1u), quad & 1u);
 }
 void storeCachedHits(uint id, uint quad, uvec4 hits) {
-    storeCachedHitsFrom(hitsAt(id, quad), hits);
+    storeCachedHitsFrom(hitsAt(id, quad >> 1u), quad & 1u, hits);
 }
 uint cachedHit(uint id, uint direction) {
-    uint quad = direction >> 2u, place = direction & 3u;
-    if (place == 3u) return cachedHits(id, quad).w;
-    return faceIrradianceData[hitsAt(id, quad) + place * VCT_FACE_GROUP] & 0xFFFFFFu;
+    uint at = hitsAt(id, direction >> 3u), place = direction & 7u;
+    uint hit = faceIrradianceData[at + (place >> 1u) * VCT_FACE_GROUP] >> 16u * (place & 1u) & 0xFFFFu;
+#if VCT_HIT_BITS > 16
+    uint upper = faceIrradianceData[upperAt(at, place)] >> upperShift(place);
+    hit |= (upper & (1u << upperBits) - 1u) << 16u;
+#endif
+    return hit;
 }
 void storeCachedHit(uint id, uint direction, uint hit) {
-    uint quad = direction >> 2u, place = direction & 3u;
-    if (place == 3u) {
-        storeCachedHits(id, quad, uvec4(cachedHits(id, quad).xyz, hit));
-        return;
-    }
-    uint at = hitsAt(id, quad) + place * VCT_FACE_GROUP;
-    faceIrradianceData[at] = faceIrradianceData[at] & 0xFF000000u | hit;
+    uvec4 hits = cachedHits(id, direction >> 2u);
+    hits[direction & 3u] = hit;
+    storeCachedHits(id, direction >> 2u, hits);
 }
 #endif
 // The position of the id, counted from 1, that a dynamic face has in the next pose.

@@ -27,11 +27,10 @@ void storeInBricks(ListedFace listed, vec4 texel) {
         uint brick = brickAt(other, axis, listed.face & 1);
         if (brick == 0u) continue;
         ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
-        if ((brick & VCT_BRICK_IS_FLAT) != 0u) {
-            if (inBrick[axis] != int(layerOfBrick(brick)) + 1) continue;
-            inBrick = ivec3(acrossFaces(vec3(inBrick), axis), 0.0);
-        }
-        imageStore(irradianceTexels, firstTexel(brick) + inBrick, texel);
+        int layer = inBrick[axis] - int(firstLayerOfBrick(brick));
+        if (layer < 0 || layer >= int(layersOfBrick(brick))) continue;
+        ivec3 inLayers = ivec3(ivec2(acrossFaces(vec3(inBrick), axis)), layer);
+        imageStore(irradianceTexels, firstTexel(brick) + inLayers, texel);
     }
 }
 

@@ -9,7 +9,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 // the rays cost half of the instructions that a vector of colours for each ray does. Bits are cut out by
 // shifts, for the reason in directional/face_words.glsl. `firstWord`: allBlockWords().
 vec3 radianceOf(uvec4 hits, uint firstWord) {
-    uvec4 codes = hits << 9u >> 9u;
+    uvec4 codes = hits << codeShift >> codeShift;
     // A face is read in any case, because a selection is cheaper than a branch.
     uvec4 ids = max(codes, uvec4(VCT_HIT_FACE)) - VCT_HIT_FACE;
     uvec4 at = firstWord + (ids >> 6u) * (VCT_FACE_GROUP * faceWords) + ids;  // faceRadianceWord()
@@ -26,8 +26,9 @@ void main() {
         uint id = visitedFaceId(i);
         vec3 light = vec3(0.0);
         uint hits = hitsAt(id, 0u);
-        for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad) {
-            light += radianceOf(cachedHitsFrom(hits), firstWord);
+        for (uint octet = 0u; octet < uint(VCT_DIRECTIONS) / 8u; ++octet) {
+            light += radianceOf(cachedHitsFrom(hits, 0u), firstWord);
+            light += radianceOf(cachedHitsFrom(hits, 1u), firstWord);
             hits += hitsStep;
         }
         uint at = irradianceAt(id) + VCT_FACE_BLOCKED, first = faceIrradianceData[at];

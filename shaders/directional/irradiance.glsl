@@ -1,9 +1,9 @@
 // Look-up of face irradiance for a surface. Irradiance is stored in bricks. A brick belongs to one face of a
 // block of 4^3 voxels. It holds the block's 4^3 base-level faces of that direction, and a border of one texel
-// so that the texture unit can filter across blocks; or, as on most walls and floors, the one layer of 4^2
-// faces that the block has, with a border around it. A texel holds irradiance, relative to E and
-// premultiplied by coverage, in rgb, and coverage in alpha. It has half floats, because filtering of 8 bits
-// would show steps that move with the camera.
+// so that the texture unit can filter across blocks. Of the layers of texels along the axis of its faces, it
+// stores those between the first and the last one that has a face: on most walls and floors that is one. A
+// texel holds irradiance, relative to E and premultiplied by coverage, in rgb, and coverage in alpha. It has
+// half floats, because filtering of 8 bits would show steps that move with the camera.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "directional/cascades.glsl"
@@ -24,18 +24,21 @@ vec3 positionInBrick(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
-// The filtered content of a brick of faces along `axis` at an offset from its first texel, along the two axes
-// that the faces span and along their own; 0 if there is no brick.
-mediump vec4 irradianceInBrick(uint brick, vec3 across, int axis) {
-    vec3 inBrick =
-        (brick & VCT_BRICK_IS_FLAT) != 0u ? vec3(across.xy, 0.5) : fromAcross(across.xy, across.z, axis);
+// The filtered content of a brick at an offset from the first of its 6^3 texels, along the two axes that the
+// faces span and along their own; 0 if there is no brick.
+mediump vec4 irradianceInBrick(uint brick, vec3 across) {
     // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
     // scales.
-    const vec3 texelsOfUnit = vec3(VCT_BRICK_TEXELS, VCT_BRICK_TEXELS, 1) / vec3(1 << 18, 1 << 10, 1);
-    vec3 texel = inBrick + vec3(brick & 0x3FC0000u, brick & 0x3FC00u, brick & 0x3FFu) * texelsOfUnit;
+    const vec3 texelsOfUnit = vec3(VCT_BRICK_TEXELS, VCT_BRICK_TEXELS, 1) / vec3(1 << 17, 1 << 10, 1);
+    vec2 layers = vec2(brick & 0x7000000u, brick & 0x38000000u) * (1.0 / vec2(1 << 24, 1 << 27));
+    float along = across.z - layers.x, stored = clamp(along, 0.5, layers.y - 0.5);
+    vec3 texel =
+        vec3(across.xy, stored) + vec3(brick & 0xFE0000u, brick & 0x1FC00u, brick & 0x3FFu) * texelsOfUnit;
     mediump vec4 received = textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
+    // Beside the layers that are stored, the filter would read texels without light.
+    mediump float share = (brick & VCT_BRICK_IS_FLAT) != 0u ? 1.0 : max(1.0 - abs(along - stored), 0.0);
     // A selection is cheaper than a branch, because nearly all bricks exist.
-    return brick != 0u ? received : vec4(0.0);
+    return brick != 0u ? share * received : vec4(0.0);
 }
 
 // The filtered content of the brick of a block's face at a position of a surface with this normal. If
@@ -57,7 +60,7 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, ve
     // side.
     const float minWeight = 0.15;
     return hasWalls && normalAcross.z * normalAcross.z < minWeight ? vec4(0.0)
-                                                                   : irradianceInBrick(brick, moved, axis);
+                                                                   : irradianceInBrick(brick, moved);
 }
 
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one

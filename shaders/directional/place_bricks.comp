@@ -1,8 +1,8 @@
-// Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks: a flat one
-// if the block's faces of that direction are in one layer. Each cascade has room of its own in the texture of
-// bricks, so that the bricks of a cascade that stays keep their places while others move. Clears the brick,
-// because fill_bricks.comp writes the texels of faces only. The brick's walls are the static ones, until
-// mark_walls.comp adds those of dynamic objects.
+// Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks. The brick
+// stores the layers between the first and the last one with faces of that direction, of the block or in its
+// border. Each cascade has room of its own in the texture of bricks, so that the bricks of a cascade that
+// stays keep their places while others move. Clears the brick, because fill_bricks.comp writes the texels of
+// faces only. The brick's walls are the static ones, until mark_walls.comp adds those of dynamic objects.
 #include "directional/face_lists.glsl"
 #include "directional/cascades.glsl"
 #include "directional/voxels.glsl"
@@ -38,49 +38,55 @@ uint layersOf(uvec2 voxels, int axis) {
 uint layersAside(ListedFace listed, ivec3 aside) {
     ivec3 block = listed.voxel + aside;
     if (block != clampToCascade(block, listed.voxel, frame.gridSide >> VCT_BRICK_LEVEL)) return 0u;
-    uint at = blockWords(block, listed.face, false), moving = blockWords(block, listed.face, true);
-    uvec2 voxels = uvec2(faceData[at] | faceData[moving], faceData[at + 1u] | faceData[moving + 1u]);
+    uint at = blockWords(block, listed.face, false);
+    uvec2 voxels = uvec2(faceData[at], faceData[at + 1u]);
+    if (frame.hasDynamicObjects != 0) {
+        uint moving = blockWords(block, listed.face, true);
+        voxels |= uvec2(faceData[moving], faceData[moving + 1u]);
+    }
     return layersOf(voxels, listed.face >> 1);
 }
 
-// True if the faces in the border of a block's brick are in no other layer than those of the block.
-bool isFlat(ListedFace listed, int layer) {
-    int axis = listed.face >> 1;
-    ivec3 along = ivec3(fromAcross(vec2(0.0), 1.0, axis));
+// The layers of a brick that have faces, a bit for each: of the block and around it, 1 to 4, and in the
+// border below and above these, 0 and 5.
+uint layersInBrick(ListedFace listed) {
+    ivec3 along = ivec3(fromAcross(vec2(0.0), 1.0, listed.face >> 1));
+    uint layers = 0u;
     for (int i = 0; i < 9; ++i) {
-        ivec3 aside = ivec3(fromAcross(vec2(i % 3, i / 3) - 1.0, 0.0, axis));
-        if ((layersAside(listed, aside) & ~(1u << uint(layer))) != 0u) return false;
-        if (layer == 3 && (layersAside(listed, aside + along) & 1u) != 0u) return false;
-        if (layer == 0 && (layersAside(listed, aside - along) & 8u) != 0u) return false;
+        ivec3 aside = ivec3(fromAcross(vec2(i % 3, i / 3) - 1.0, 0.0, listed.face >> 1));
+        layers |= layersAside(listed, aside) << 1u | layersAside(listed, aside - along) >> 3u |
+                  (layersAside(listed, aside + along) & 1u) << 5u;
     }
-    return true;
+    return layers;
 }
 
 // Takes a place for the brick of a block's face. Returns 0 if there is no room.
 uint placeOf(ListedFace listed, int cascade) {
     int owner = frame.hasDynamicObjects != 0 ? 0 : cascade;
     BrickRoom room = lightStep.bricks[owner];
-    uint layers = layersAside(listed, ivec3(0)), slot, texel = 0u, word = 0u;
-    if (bitCount(layers) != 1 || !isFlat(listed, findLSB(layers))) {
-        uint number = atomicAdd(fullBricks[owner], 1u);
-        if (number >= room.fullBricks) return 0u;
-        slot = room.firstSlot + number;
-    } else {
-        const uint inSlot = uint(VCT_BRICK_TEXELS);
-        uint number = atomicAdd(flatBricks[owner], 1u);
-        if (number >= room.flatBricks) return 0u;
-        slot = room.firstSlot + room.fullBricks + number / inSlot;
-        texel = number % inSlot;
-        word = packLayer(uint(findLSB(layers)));
+    uint own = layersAside(listed, ivec3(0)) << 1u, layers = layersInBrick(listed);
+    // Borders that the block's one layer does not touch are too far away to count.
+    uint near = own << 1u | own | own >> 1u;
+    bool isFlat = bitCount(own) == 1 && (layers & (near | 0x1Eu)) == own;
+    if (isFlat) layers = own;
+    uint first = uint(findLSB(layers)), count = uint(findMSB(layers)) - first + 1u;
+    // A brick does not go on in the next column of the texture.
+    uint along = uint(imageSize(irradianceTexels).x / VCT_BRICK_TEXELS),
+         high = uint(imageSize(irradianceTexels).z);
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        uint taken = atomicAdd(brickLayers[owner], count);
+        if (taken + count > room.layers) return 0u;
+        uint place = room.firstLayer + taken, column = place / high, z = place % high;
+        if (z + count <= high)
+            return packBrick(uvec3(column % along, column / along, z), first, count) |
+                   (isFlat ? VCT_BRICK_IS_FLAT : 0u);
     }
-    uint along = lightStep.bricksAlong;
-    return word | packBrick(uvec3(slot % along, slot / along % along,
-                                  slot / (along * along) * uint(VCT_BRICK_TEXELS) + texel));
+    return 0u;
 }
 
 void clearBrick(uint brick) {
     ivec3 first = firstTexel(brick);
-    int layers = (brick & VCT_BRICK_IS_FLAT) != 0u ? 1 : VCT_BRICK_TEXELS;
+    int layers = int(layersOfBrick(brick));
     for (int z = 0; z < layers; ++z)
         for (int y = 0; y < VCT_BRICK_TEXELS; ++y)
             for (int x = 0; x < VCT_BRICK_TEXELS; ++x)

@@ -10,8 +10,7 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     uint unplacedFaces;
     uint unusedIds;
     uint takenIds;
-    uint fullBricks[VCT_MAX_CASCADES];
-    uint flatBricks[VCT_MAX_CASCADES];
+    uint brickLayers[VCT_MAX_CASCADES];
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];

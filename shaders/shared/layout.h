@@ -177,22 +177,20 @@ using glm::vec4;
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without and with
-// compact emitters.
+// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl) without compact
+// emitters.
 #define VCT_FACE_IRRADIANCE_WORDS 22u
-#define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 28u
 // The first of the two words of the light that pixels see.
 #define VCT_FACE_SHOWN_WORD 4u
 // The first of the five words that depend on what the cached rays have hit, and the last of them.
 #define VCT_FACE_SKY_WORD 12u
 #define VCT_FACE_SIGHT_WORD 16u
-// The hit of a cached ray, in 24 bits: a face, or one of these. Bit VCT_HIT_NEAR is set if the ray is shorter
-// than the distance of ambient occlusion.
+// The hit of a cached ray: a face, or one of these. Above them, in the highest of the bits of a hit, a bit is
+// set if the ray is shorter than the distance of ambient occlusion.
 #define VCT_HIT_UNKNOWN 0u  // the ray has not been traced
 #define VCT_HIT_SKY 1u
-#define VCT_HIT_BACK 2u  // the back of a surface: the ray does not count
-#define VCT_HIT_FACE 3u  // plus the face's id
-#define VCT_HIT_NEAR 0x800000u
+#define VCT_HIT_BACK 2u      // the back of a surface: the ray does not count
+#define VCT_HIT_FACE 3u      // plus the face's id
 #define VCT_MAX_OBJECTS 128  // moving objects as spheres (directional/moving_objects.glsl)
 // Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
@@ -271,11 +269,11 @@ struct EmitterBlock {
     EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
 };
 
-// Room for the bricks of a cascade in the texture of bricks, whose slots hold a full brick or
-// VCT_BRICK_TEXELS flat ones each. The slots of the flat bricks follow those of the full ones.
+// Room for the bricks of a cascade in the texture of bricks, in layers of texels of a brick, which are
+// counted along z first.
 struct BrickRoom {
-    uint firstSlot, fullBricks, flatBricks;
-    uint unusedRoom;
+    uint firstLayer, layers;
+    uint unusedRoom0, unusedRoom1;
 };
 
 // One step of the light (jni/engine/directional/light_schedule.h; directional/face_irradiance.glsl).
@@ -292,7 +290,7 @@ struct LightStep {
     uint endsRefinement;   // 1: the step is the last one of a refinement
     uint startsDark;       // 1: no face had light before its first rays
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
-    uint bricksAlong;      // bricks along x and y of their texture
+    uint unusedWord;
     uint firstForward;     // words of the buffer where the faces' next ids or last changes begin,
     uint firstHit;         // the hits,
     uint firstBlocked;     // and the blocked rays
@@ -353,8 +351,8 @@ struct CommandLists {
     uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
     uint unusedIds;        // static ids without a face after the cascades moved last
     uint takenIds;         // those of them that faces took
-    uint fullBricks[VCT_MAX_CASCADES];  // bricks that were placed last, also those that did not fit
-    uint flatBricks[VCT_MAX_CASCADES];
+    // Layers of texels of the bricks that were placed last, also those that did not fit.
+    uint brickLayers[VCT_MAX_CASCADES];
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.
@@ -380,12 +378,13 @@ VCT_FUNCTION uint faceRadianceWord(uint id, uint words) {
 VCT_FUNCTION uint faceWord(uint id, uint words) {
     return (id / VCT_FACE_GROUP + 1u) * VCT_FACE_GROUP + id * words;
 }
-// Position of the first of the three words that hold the hits 4 `quad` to 4 `quad` + 3 of a face, of
-// `directions`. The words of VCT_FACE_GROUP faces lie beside each other: the next of the three is so far
-// away.
-VCT_FUNCTION uint hitsWord(uint id, uint quad, uint directions) {
-    uint words = directions / 4u * 3u;
-    return (id / VCT_FACE_GROUP * words + 3u * quad) * VCT_FACE_GROUP + id % VCT_FACE_GROUP;
+// Position of the first of the words that hold the hits 8 `octet` to 8 `octet` + 7 of a face, of
+// `directions`, with `bits` each: 16, 20 or 24. Four words have the lower 16 bits of the eight hits, and the
+// next ones, if any, the upper bits. The words of VCT_FACE_GROUP faces lie beside each other: the next word
+// of a face is so far away.
+VCT_FUNCTION uint hitsWord(uint id, uint octet, uint directions, uint bits) {
+    uint words = bits / 4u;  // of an octet
+    return (id / VCT_FACE_GROUP * (directions / 8u) + octet) * words * VCT_FACE_GROUP + id % VCT_FACE_GROUP;
 }
 VCT_FUNCTION uint packFace(uvec3 voxel, uint face) {
     return (face << 27) | (voxel.x << 18) | (voxel.y << 9) | voxel.z;
@@ -402,24 +401,25 @@ VCT_FUNCTION uint packShift(ivec3 voxels) {
     return (uint(voxels.x) & 0x3FFu) | (uint(voxels.y) & 0x3FFu) << 10 | (uint(voxels.z) & 0x3FFu) << 20;
 }
 
-// Location of a brick of irradiance in its texture: x and y in bricks, 8 bits each, and z in texels, 10 bits;
-// and a bit that is always set. Another bit is set if thin walls cross the brick (directional/walls.glsl),
-// and one if it is flat: the block's faces are in one layer, 0..3, and the brick has only that. Then x and y
-// are those of acrossFaces().
+// Location of a brick of irradiance in its texture: x and y in bricks, 7 bits each, and z in texels, 10 bits.
+// Above it, 3 bits each, the first of the layers of texels that the brick stores (0..5, from the border below
+// the block to the one above it, along the axis of its faces) and their number (1..6). A bit is set if thin
+// walls cross the brick (directional/walls.glsl), and one if it is flat: the block's faces are in one layer,
+// whose light does not end beside it. The texels of a layer have the axes of acrossFaces().
 #define VCT_BRICK_HAS_WALLS 0x40000000u
-#define VCT_BRICK_IS_FLAT 0x20000000u
-VCT_FUNCTION uint packBrick(uvec3 place) {
-    return 0x80000000u | (place.x << 18) | (place.y << 10) | place.z;
+#define VCT_BRICK_IS_FLAT 0x80000000u
+VCT_FUNCTION uint packBrick(uvec3 place, uint firstLayer, uint layers) {
+    return layers << 27 | firstLayer << 24 | place.x << 17 | place.y << 10 | place.z;
 }
-VCT_FUNCTION uint packLayer(uint layer) {
-    return VCT_BRICK_IS_FLAT | layer << 26;
+VCT_FUNCTION uint firstLayerOfBrick(uint word) {
+    return (word >> 24) & 7u;
 }
-VCT_FUNCTION uint layerOfBrick(uint word) {
-    return (word >> 26) & 3u;
+VCT_FUNCTION uint layersOfBrick(uint word) {
+    return (word >> 27) & 7u;
 }
 // The first texel of a brick.
 VCT_FUNCTION ivec3 firstTexel(uint word) {
-    return ivec3(int((word >> 18) & 0xFFu) * VCT_BRICK_TEXELS, int((word >> 10) & 0xFFu) * VCT_BRICK_TEXELS,
+    return ivec3(int((word >> 17) & 0x7Fu) * VCT_BRICK_TEXELS, int((word >> 10) & 0x7Fu) * VCT_BRICK_TEXELS,
                  int(word & 0x3FFu));
 }
 

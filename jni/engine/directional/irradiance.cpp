@@ -21,20 +21,30 @@ glm::ivec3 blocksSize(const DirectionalVoxels& voxels) {
            glm::ivec3(DirectionalVoxels::directionsX, DirectionalVoxels::directionsY, voxels.cascades());
 }
 
-// Four cached hits as shaders/directional/face_irradiance.glsl packs them.
+// Layers of texels of the texture of bricks.
+constexpr std::uint32_t bricksHigh = 256;
+
+// Eight cached hits as shaders/directional/face_irradiance.glsl packs them, with so many bits above 16.
 struct CachedHits {
-    explicit CachedHits(const std::uint32_t* words) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t word = words[i * VCT_FACE_GROUP];
-            hits[i] = word & 0xFFFFFFU;
-            hits[3] |= word >> 24U << (8 * i);
+    CachedHits(const std::uint32_t* words, std::uint32_t upperBits) {
+        for (std::uint32_t i = 0; i < hits.size(); ++i) {
+            const std::uint32_t at = upperBits * i;
+            hits.at(i) = words[std::size_t{i / 2} * VCT_FACE_GROUP] >> (16 * (i % 2)) & 0xFFFFU;
+            if (upperBits == 0) continue;
+            const std::uint32_t upper = words[std::size_t{4 + at / 32} * VCT_FACE_GROUP] >> at % 32;
+            hits.at(i) |= (upper & ((1U << upperBits) - 1)) << 16U;
         }
     }
-    void store(std::uint32_t* words) const {
-        for (std::size_t i = 0; i < 3; ++i)
-            words[i * VCT_FACE_GROUP] = hits[i] | (hits[3] >> (8 * i) << 24U);
+    // Into words that are 0.
+    void store(std::uint32_t* words, std::uint32_t upperBits) const {
+        for (std::uint32_t i = 0; i < hits.size(); ++i) {
+            const std::uint32_t at = upperBits * i;
+            words[std::size_t{i / 2} * VCT_FACE_GROUP] |= (hits.at(i) & 0xFFFFU) << (16 * (i % 2));
+            if (upperBits > 0)
+                words[std::size_t{4 + at / 32} * VCT_FACE_GROUP] |= hits.at(i) >> 16U << at % 32;
+        }
     }
-    std::array<std::uint32_t, 4> hits{};
+    std::array<std::uint32_t, 8> hits{};
 };
 
 void append(std::vector<std::string>& defines, const std::vector<std::string>& more) {
@@ -78,7 +88,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       smoothRows_(shaders, raysProgram("smooth_rows", settings, sources)),
       smooth_(shaders, raysProgram("smooth", settings, sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
-      emitters_(sources.emitters),
+      irradianceWords_(faceIrradianceWords(sources)),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (listsChange) {
         carryOver_.emplace(shaders, raysProgram("carry_over", settings, sources));
@@ -88,15 +98,19 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
     if (hasCascades) listUnlinked_.emplace(shaders, lightProgram("list_unlinked", sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block", settings, sources));
-    if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
+    if (sources.emitterParts > 0) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
 
-GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
+GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids, bool grows) {
     GLint largest = 0;
     gl::GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+    while (settings.hitBits > 16 && (grows ? ids + ids / 2 : ids) <= maxIds(settings.hitBits - 4))
+        settings.hitBits -= 4;
     const auto bytes = [&] {
         const auto hits = static_cast<std::size_t>(settings.directions);
-        const std::size_t words = VCT_EMITTERS_FACE_IRRADIANCE_WORDS + 1 + hits / 4 * 3 + hits / 8;
+        const std::size_t mostWords = VCT_FACE_IRRADIANCE_WORDS + 2 + VCT_MAX_EMITTER_PARTS / 8 + 1;
+        const std::size_t words =
+            mostWords + hits * static_cast<std::size_t>(settings.hitBits) / 32 + hits / 8;
         return words * ids * sizeof(std::uint32_t);
     };
     while (settings.directions > 16 && bytes() > static_cast<std::size_t>(largest))
@@ -265,22 +279,23 @@ void Irradiance::fillFrom(const DirectionalVoxels& voxels, std::uint32_t cascade
 
 std::size_t Irradiance::hitWords(std::uint32_t ids) const {
     const std::size_t groups = (ids + VCT_FACE_GROUP - 1) / VCT_FACE_GROUP;
-    return groups * VCT_FACE_GROUP * static_cast<std::size_t>(settings_.directions) / 4 * 3;
+    return groups * VCT_FACE_GROUP * static_cast<std::size_t>(settings_.directions) *
+           static_cast<std::size_t>(settings_.hitBits) / 32;
 }
 
 bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     const FaceCapacities before = std::exchange(capacities_, voxels.capacities());
     const std::uint32_t oldIds = std::exchange(idCapacity_, voxels.idCapacity());
-    constexpr std::uint32_t mostIds = VCT_HIT_NEAR - VCT_HIT_FACE;
-    if (idCapacity_ > mostIds)
+    if (!hasBitsFor(idCapacity_))
         throw Error("the scene covers faces of voxels with " + std::to_string(idCapacity_) +
-                    " ids, of which there are " + std::to_string(mostIds) + "; use a coarser grid");
+                    " ids, of which there are " + std::to_string(maxIds(settings_.hitBits)) +
+                    "; use a coarser grid");
     const std::uint32_t blockedBefore = blockedCapacity_;
     if (hasObjects_) {
-        // All rays of a small scene, 1/32 of those of a large one, or as many as there were.
+        // All rays of a small scene, 1/128 of those of a large one, or as many as there were.
         const std::uint32_t faces = capacities_[0];
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
-        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 32, std::min(all, 1U << 18U)});
+        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 128, std::min(all, 1U << 16U)});
     }
     const bool grows = before != capacities_;
     if (oldIds != 0 && !grows && blockedBefore == blockedCapacity_) return false;
@@ -304,7 +319,8 @@ bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
         }
         std::uint32_t* const hits = &words[(perFace + 1) * idCapacity_];
         const std::uint32_t* const oldHits = &old[(perFace + 1) * oldIds];
-        const auto directions = static_cast<std::uint32_t>(settings_.directions);
+        const auto directions = static_cast<std::uint32_t>(settings_.directions),
+                   bits = static_cast<std::uint32_t>(settings_.hitBits), nearBit = 1U << (bits - 1);
         for (std::uint32_t id = 0; id < oldIds; ++id) {
             std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(perFace * id), perFace,
                         words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id]));
@@ -312,13 +328,13 @@ bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
                 std::fill_n(
                     words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id] + VCT_FACE_SKY_WORD), 5,
                     0);
-            for (std::uint32_t quad = 0; quad < directions / 4 && keepsHits; ++quad) {
-                CachedHits four(oldHits + shared::hitsWord(id, quad, directions));
-                for (std::uint32_t& hit : four.hits) {
-                    const std::uint32_t near = hit & VCT_HIT_NEAR, code = hit & ~VCT_HIT_NEAR;
+            for (std::uint32_t octet = 0; octet < directions / 8 && keepsHits; ++octet) {
+                CachedHits eight(oldHits + shared::hitsWord(id, octet, directions, bits), bits - 16);
+                for (std::uint32_t& hit : eight.hits) {
+                    const std::uint32_t near = hit & nearBit, code = hit & ~nearBit;
                     if (code >= VCT_HIT_FACE) hit = near | (VCT_HIT_FACE + newId.at(code - VCT_HIT_FACE));
                 }
-                four.store(hits + shared::hitsWord(newId[id], quad, directions));
+                eight.store(hits + shared::hitsWord(newId[id], octet, directions, bits), bits - 16);
             }
         }
     }
@@ -368,41 +384,40 @@ std::vector<BakedLight::Face> Irradiance::bake(const DirectionalVoxels& voxels) 
 }
 
 void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
-    // An object that turns may make all its bricks full ones, and those of the surface beside it.
+    // An object that turns may give all layers to its bricks and to those of the surface beside it.
     const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
     const std::uint32_t moving = blocks.faceCount - std::min(blocks.staticFaces, blocks.faceCount);
-    const auto reserve = [&](std::uint32_t& room, std::uint32_t count) {
-        // Counts are read frames later, so room is added before it runs out.
-        if (listsChange_ ? count + count / 16 < room : count <= room) return;
-        room = listsChange_ ? count + count / 8 + 64 + 3 * moving : count;
-        unplacedCascades_ = DirectionalVoxels::allCascades;
-    };
     for (std::size_t i = 0; i < brickRooms_.size(); ++i) {
-        if (i > 0 && found.fullBricks[i] + found.flatBricks[i] == 0) continue;  // the room is not used
-        reserve(brickRooms_.at(i).fullBricks, found.fullBricks[i]);
-        reserve(brickRooms_.at(i).flatBricks, found.flatBricks[i]);
+        const std::uint32_t count = found.brickLayers[i];
+        if (i > 0 && count == 0) continue;  // the room is not used
+        std::uint32_t& room = brickRooms_.at(i).layers;
+        // Counts are read frames later, so room is added before it runs out.
+        if (listsChange_ ? count + count / 16 < room : count <= room) continue;
+        // Layers stay empty where a brick would go on in the next column of the texture.
+        const std::uint32_t unused = VCT_BRICK_TEXELS * (count / (bricksHigh - 16) + 1);
+        room = count + unused + (listsChange_ ? count / 8 + 256 + 3 * VCT_BRICK_TEXELS * moving : 0);
+        unplacedCascades_ = DirectionalVoxels::allCascades;
     }
 }
 
-// The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,
-// for grids up to 256^3.
+// No side of the texture of bricks exceeds the 3D texture size that ES 3.1 guarantees, for grids up to 256^3.
 void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     if (irradiance_ && unplacedCascades_ != DirectionalVoxels::allCascades) return;
-    std::uint32_t slots = 0;
+    std::uint32_t layers = 0;
     for (shared::BrickRoom& room : brickRooms_) {
-        room.firstSlot = slots;
-        slots += room.fullBricks + (room.flatBricks + VCT_BRICK_TEXELS - 1) / VCT_BRICK_TEXELS;
+        room.firstLayer = layers;
+        layers += room.layers;
     }
-    if (irradiance_ && slots == brickSlots_) return;
-    brickSlots_ = slots;
-    bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(slots, 1U))));
-    const std::uint32_t layer = bricksAlong_ * bricksAlong_;
-    const std::uint32_t layers = std::max((slots + layer - 1) / layer, 1U);
-    const glm::ivec3 size = VCT_BRICK_TEXELS * glm::ivec3(bricksAlong_, bricksAlong_, layers);
+    if (irradiance_ && layers == brickLayers_) return;
+    brickLayers_ = layers;
+    constexpr std::uint32_t maxAlong = bricksHigh / VCT_BRICK_TEXELS;
+    const std::uint32_t columns = std::max((layers + bricksHigh - 1) / bricksHigh, 1U),
+                        rows = (columns + maxAlong - 1) / maxAlong, along = (columns + rows - 1) / rows;
+    const glm::ivec3 size(VCT_BRICK_TEXELS * along, VCT_BRICK_TEXELS * rows, bricksHigh);
     irradiance_ = gl::Texture::make3d("irradiance", GL_RGBA16F, size.x, size.y, size.z, 1);
     irradiance_->setFilter(GL_LINEAR, GL_LINEAR);
-    // Filtering in a flat brick may also fetch the texels beside it, with a weight of 0. These may be of no
-    // brick, but have to be numbers.
+    // Filtering in a brick may also fetch the texels beside it, with a weight of 0. These may be of no brick,
+    // but have to be numbers.
     gl::clearTexture3d(*irradiance_, size.z);
     if (bricks_) return;
     const glm::ivec3 faces = blocksSize(voxels);
@@ -434,7 +449,6 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.endsRefinement = plan_.endsRefinement() ? 1 : 0;
     values.startsDark = plan_.startsDark ? 1 : 0;
     values.bounces = allBounces ? 1.0F : 0.0F;
-    values.bricksAlong = bricksAlong_;
     std::copy(brickRooms_.begin(), brickRooms_.end(), values.bricks);
     values.firstForward = irradianceWords() * idCapacity_;
     values.firstHit = values.firstForward + idCapacity_;

@@ -32,8 +32,11 @@ class Irradiance {
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
                bool hasObjects, bool listsChange, bool hasCascades, const LightFeatures& sources);
 
-    // The settings with as many cached rays per face as fit into a storage block of the driver.
-    static GatherSettings fitting(GatherSettings settings, std::uint32_t ids);
+    // The settings with as many cached rays per face as fit into a storage block of the driver, and as few
+    // bits per hit as the ids need. `grows`: there may be half as many ids again.
+    static GatherSettings fitting(GatherSettings settings, std::uint32_t ids, bool grows);
+    // True if hits have enough bits for so many ids.
+    bool hasBitsFor(std::uint32_t ids) const { return ids <= maxIds(settings_.hitBits); }
 
     // Reports a change of the voxels, which the next step takes into account.
     // `shifts`: the moves of cascades.
@@ -43,7 +46,7 @@ class Irradiance {
     void onRaysBlocked(std::uint32_t count) {
         if (count > blockedCapacity_) blocked_ = count + count / 2;
     }
-    // Reports how many bricks, full and flat ones, an earlier step has placed or had no room for. The next
+    // Reports how many layers the bricks have that an earlier step has placed or had no room for. The next
     // step has room for as many, and for those that moving objects may need in their next pose.
     void onBricksPlaced(const shared::CommandLists& found);
     // Makes the next step start without light and hits.
@@ -91,9 +94,7 @@ class Irradiance {
     // The light and the hits of faces by their ids: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words per face at the beginning of faceIrradiance().
-    std::uint32_t irradianceWords() const {
-        return emitters_ ? VCT_EMITTERS_FACE_IRRADIANCE_WORDS : VCT_FACE_IRRADIANCE_WORDS;
-    }
+    std::uint32_t irradianceWords() const { return irradianceWords_; }
     std::vector<const gl::Texture*> textures() const;
     // Binds the buffers and textures that the shaders of a step use.
     void bind(const DirectionalVoxels& voxels) const;
@@ -102,6 +103,8 @@ class Irradiance {
     void reserveBricks(const DirectionalVoxels& voxels);
     // Returns true if the lists of faces have grown.
     bool reserveFaces(const DirectionalVoxels& voxels, bool keepsHits);
+    // The number of ids that hits of so many bits can tell apart.
+    static std::uint32_t maxIds(int hitBits) { return (1U << (hitBits - 1)) - VCT_HIT_FACE; }
     // Words for the hits of so many faces.
     std::size_t hitWords(std::uint32_t ids) const;
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
@@ -145,7 +148,7 @@ class Irradiance {
     std::optional<gl::Program> forwardHits_, listVisited_, listUnlinked_;  // only with cascades
     std::optional<gl::Program> block_;                                     // only with moving objects
     std::optional<gl::Program> findEmitters_;  // only if the scene has compact emitters
-    bool emitters_;
+    std::uint32_t irradianceWords_;
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
     bool isBakedCurrent_ = false;
     bool isBakedStep_ = false;  // the present step took over all of its light
@@ -160,7 +163,7 @@ class Irradiance {
     FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
     std::array<shared::BrickRoom, VCT_MAX_CASCADES> brickRooms_{};
-    std::uint32_t brickSlots_ = 0, bricksAlong_ = 0;
+    std::uint32_t brickLayers_ = 0;
 };
 
 }  // namespace vct
