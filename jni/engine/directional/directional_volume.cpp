@@ -13,12 +13,12 @@ namespace {
 
 // Capacities for counts that change, so that buffers rarely grow: as many again for objects, which may turn
 // and come nearer (a box that turns by 20 degrees about one axis has twice as many faces as along the axes,
-// one that turns about all of them 4.3 times), and a sixteenth for static geometry that cascades reach.
+// one that turns about all of them 4.3 times), and an eighth for static geometry that cascades reach.
 std::uint32_t roomForObjects(std::uint32_t count) {
     return 2 * count + 256;
 }
 std::uint32_t roomForMoves(std::uint32_t count) {
-    return count + count / 16 + 256;
+    return count + count / 8 + 256;
 }
 
 // The moves of the cascades. Moves by more than a cascade's side leave nothing of it, as one by its side
@@ -147,14 +147,14 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
     const std::uint32_t listed = std::min(still.faceCount, still.faceCapacity),
                         unused = still.faceCapacity - listed + found.unusedIds -
                                  std::min(found.takenIds, found.unusedIds);
-    const bool runsOut = hasCascades_ && unused < still.faceCapacity / 32;
+    const bool runsOut = hasCascades_ && unused < still.faceCapacity / 10;
     if (found.unplacedFaces > 0 || runsOut) {
         const std::uint32_t needed = still.faceCapacity + found.unplacedFaces;
         capacities[0] = std::max(capacities[0], hasCascades_ ? roomForMoves(needed) : needed);
     }
     if (dynamic.faceCount > capacities[VCT_LIST_DYNAMIC])
         capacities[VCT_LIST_DYNAMIC] = capacities[VCT_LIST_DYNAMIC + 1] = roomForObjects(dynamic.faceCount);
-    if (blocks.faceCount + (hasCascades_ ? blocks.faceCount / 32 : 0) > capacities[VCT_BRICK_LEVEL]) {
+    if (blocks.faceCount + (hasCascades_ ? blocks.faceCount / 16 : 0) > capacities[VCT_BRICK_LEVEL]) {
         const std::uint32_t ofStatic = blocks.staticFaces;
         capacities[VCT_BRICK_LEVEL] = (hasCascades_ ? roomForMoves(ofStatic) : ofStatic) +
                                       (hasDynamic_ ? roomForObjects(blocks.faceCount - ofStatic) : 0);
