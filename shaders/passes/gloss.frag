@@ -10,16 +10,22 @@ layout(binding = VCT_TEX_HALF_GLOSS) uniform mediump sampler2D halfGloss;
 layout(early_fragment_tests) in;
 layout(location = 0) out mediump vec4 outRadiance;  // is added; relative to E/pi
 
-// The sum over the 2 x 2 blocks around a pixel that belong to its surface, weighted so that it fits into half
-// floats; a: the sum of the weights.
+// The light of the four blocks around a pixel, interpolated as far as they belong to its surface; a: the sum
+// of the weights.
 mediump vec4 interpolated(ivec2 pixel, RoughSurface surface) {
+    int apart = surface.blockStep;
     ivec2 lastBlock = textureSize(halfGloss, 0) - 1;
+    vec2 place = (vec2(pixel) - 0.5) / float(2 * apart), corner = floor(place), f = place - corner;
     mediump vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
-        ivec2 block = clamp(((pixel - 1) >> 1) + ivec2(i & 1, i >> 1), ivec2(0), lastBlock);
+        ivec2 next = ivec2(i & 1, i >> 1), block = clamp(apart * (ivec2(corner) + next), ivec2(0), lastBlock);
+        vec2 share = abs(1.0 - vec2(next) - f);
         mediump vec4 found = texelFetch(halfGloss, block, 0);
         int index = int(found.a) - 1;
-        if (index >= 0 && isOn(surface, pixelOf(block, index))) sum += 0.25 * vec4(found.rgb, 1.0);
+        if (index >= 0) {
+            float weight = share.x * share.y * likeness(surface, pixelOf(block, index));
+            sum += weight * vec4(found.rgb, 1.0);
+        }
     }
     return sum;
 }
@@ -29,7 +35,7 @@ void main() {
     RoughSurface surface = roughSurface(pixel);
     mediump vec4 met = vec4(0.0);
     if (surface.roughness >= halfFrom) met = interpolated(pixel, surface);
-    if (met.a == 0.0)
+    if (met.a < 0.01)
         met = reflectedLight(surface.position, surface.normal, surface.roughness, float(raysOfSample),
                              sampleOf(pixel));
     mediump vec3 albedo = texelFetch(albedoTarget, pixel, 0).rgb;

@@ -5,8 +5,8 @@
 #include "passes/reflection.glsl"
 
 layout(early_fragment_tests) in;
-// rgb: light from around the mirror direction, weighted, relative to E/pi; a: 1 + the index of the pixel in
-// the block + the sum of the weights.
+// rgb: mean light from around the mirror direction, relative to E/pi; a: 1 + the index of the pixel in the
+// block + the weight of the mean, below 1.
 layout(location = 0) out mediump vec4 outSample;
 
 void main() {
@@ -16,7 +16,7 @@ void main() {
     // Solid angles twice as wide as those of the 64 directions of 4 x 4 blocks overlap and make no copies of
     // what is small and bright in the sky.
     const float directions = 32.0;
-    vec4 light =
-        reflectedLight(surface.position, surface.normal, surface.roughness, directions, sampleOf(block));
-    outSample = vec4(light.rgb, float(index + 1) + light.a);
+    int place = sampleOf(block / surface.blockStep);
+    vec4 light = reflectedLight(surface.position, surface.normal, surface.roughness, directions, place);
+    outSample = vec4(min(light.rgb / max(light.a, 1e-4), 6e4), float(index + 1) + light.a);
 }

@@ -10,6 +10,8 @@ const float roughTo = 0.9;
 // From this roughness on, half the resolution is enough: 0.1, less the rounding to 8 bits. Below, one ray
 // along the mirror direction stands for the lobe, which is a degree wide.
 const float halfFrom = 0.097;
+// From this roughness on, a quarter of the resolution is enough for materials that are no metals.
+const float quarterFrom = 0.27;
 
 // The material of a pixel.
 struct Brdf {

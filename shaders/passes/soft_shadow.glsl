@@ -1,6 +1,6 @@
 // The sun's soft shadow by percentage-closer soft shadows (Fernando 2005): a search for blockers gives the
 // width of the penumbra, over which comparisons with the shadow map are averaged. It reads the hard shadow's
-// five texels, eight more depths, and eight comparisons, or 16 in a penumbra and 32 in its dark half. A wide
+// five texels, eight more depths, and eight comparisons, or 16 in a penumbra and 48 in its dark half. A wide
 // penumbra compares with coarser levels of the map (passes/shadow_level.frag), so that a few comparisons
 // leave no gaps and the cost does not grow with the width. Behind a straight edge, the root mean square error
 // in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
@@ -108,14 +108,16 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     vec3 middle = vec3(receiver.xy, receiver.z - lift - roundingBias);
     vec3 stepX = vec3(map.coneRadius.x, 0.0, slope.x) * penumbra;
     vec3 stepY = vec3(0.0, map.coneRadius.y, slope.y) * penumbra;
-    // A wall that is parallel to the sun hides a part of it along its crease, but the map does not show that
-    // wall, and taps see past it. In the hard shadow two more rounds compare with depths behind the
-    // receiver's plane, further than a relief and the levels' texels rise, and find the taps that see past
-    // its border. A curved surface bends away from its plane, so there such taps are right.
+    // A wall that is parallel to the sun hides a part of it along its crease, but the map shows of that wall
+    // at most its foot. Taps see past it, or the foot is not within the cone and counts as light. So in the
+    // hard shadow two more pairs of rounds look for the plane itself in light, without the cone. The second
+    // compares with depths behind the plane, further than a relief and the levels' texels rise, and finds the
+    // taps that see past the plane's border. A curved surface bends away from its plane, so there such taps
+    // are right.
     bool hasSides = isDark && slackShare < curvedSlack;
-    float light = 0.0, sum = 0.0;
+    float light = 0.0, sum = 0.0, onPlane = 0.0, past = 0.0;
     vec2 tap = firstTap, circles = outerCircles;
-    int rounds = hasSides ? 4 : 2;
+    int rounds = hasSides ? 6 : 2;
     for (int round = 0; round < rounds; ++round) {
         // Four comparisons on each of two circles, a quarter turn apart.
         vec2 at = tap * circles.x;
@@ -135,17 +137,20 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
             break;
         }
         circles = innerCircles;
-        if (round != 1) continue;
-        light = sum;
-        if (light == 0.0 || !hasSides) break;
+        if ((round & 1) == 0) continue;
+        if (round == 1) light = sum;
+        if (round == 3) onPlane = sum;
+        if (round == 5) past = sum;
+        if (sum == 0.0) break;
         sum = 0.0;
         tap = firstTap;
         circles = outerCircles;
-        middle.z = receiver.z + 1.5 * texels * rise + 0.5 * map.coneRadius.x * penumbra;
         inCone = 0.0;
+        middle.z = receiver.z + (round == 1 ? -0.75 * texels * rise - roundingBias
+                                            : 1.5 * texels * rise + 0.5 * map.coneRadius.x * penumbra);
     }
-    // Taps past the border count if enough others see the plane in light.
-    if (hasSides) light = min(light, max(4.0 * (light - sum - min(sum, 1.0)), 0.0));
+    // Light counts as far as a third of it is on the plane.
+    if (hasSides) light = min(light, max(3.0 * (onPlane - past - min(past, 1.0)), 0.0));
     light *= 1.0 / float(filterTaps);
     return isDark ? light * clamp(radius - 1.0, 0.0, 1.0) : light;
 }

@@ -66,7 +66,7 @@ void Gloss::resize(const gl::Texture& picture) {
         gl::Texture::make2d("mask of rough reflections", GL_DEPTH_COMPONENT16, half_.width(), half_.height());
     halfFramebuffer_ = gl::Framebuffer("rough reflections", {&half_}, &halfMask_);
     filtered_ = gl::Texture::make2d("filtered reflections", GL_RGBA16F, half_.width(), half_.height());
-    filteredFramebuffer_ = gl::Framebuffer("filtered reflections", {&filtered_}, &halfMask_);
+    filteredFramebuffer_ = gl::Framebuffer("filtered reflections", {&filtered_}, nullptr);
     mask_ = gl::Texture::make2d("mask of reflections", GL_DEPTH_COMPONENT16, width, height);
     pictureAndMask_ = gl::Framebuffer("radiance and mask of reflections", {&picture}, &mask_);
 }
@@ -89,24 +89,30 @@ void Gloss::traceRough(const GBuffer::Targets& surface, const VoxelLight& light)
     bind(surface, light);
     noVertices_.bind();
     const Programs& shaders = programs(surface.mappedNormals);
-    const auto draw = [&](const gl::Framebuffer& target, const gl::Program& program) {
-        const gl::RenderPass pass(target, gl::Load::invalidate, gl::Store::colors);
+    {
+        const gl::RenderPass pass(halfFramebuffer_, gl::Load::invalidate, gl::Store::colors);
         shaders.mark.use();
         gl::DepthFunc(GL_ALWAYS);
         gl::DrawArrays(GL_TRIANGLES, 0, 3);
-        program.use();
+        shaders.half.use();
         drawMarked();
-    };
-    draw(halfFramebuffer_, shaders.half);
-    half_.bind(VCT_TEX_HALF_GLOSS);
-    draw(filteredFramebuffer_, shaders.filter);
+    }
+    shaders.filter.use();
+    for (const int axis : {0, 1}) {
+        (axis == 0 ? half_ : filtered_).bind(VCT_TEX_HALF_GLOSS);
+        const gl::RenderPass pass(axis == 0 ? filteredFramebuffer_ : halfFramebuffer_, gl::Load::invalidate,
+                                  gl::Store::colors);
+        gl::Uniform1ui(VCT_UNIFORM_AXIS, static_cast<GLuint>(axis));
+        gl::DepthFunc(GL_ALWAYS);
+        gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    }
 }
 
 void Gloss::add(const GBuffer::Targets& surface, const VoxelLight& light) {
     const gl::DebugGroup group("reflections");
     programs(surface.mappedNormals).full.use();
     bind(surface, light);
-    filtered_.bind(VCT_TEX_HALF_GLOSS);
+    half_.bind(VCT_TEX_HALF_GLOSS);
     noVertices_.bind();
     gl::Enable(GL_BLEND);
     gl::BlendEquation(GL_FUNC_ADD);
