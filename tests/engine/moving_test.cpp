@@ -155,6 +155,29 @@ TEST(MovingInstances, ABoxFillsAConvergedPictureAtOnce) {
     expectFreshLight(stage, context, scene, mobileSettings(), 1.0);
 }
 
+// Objects block more rays than the first step has room for. If it left some out, their light would depend on
+// the order of threads.
+TEST(MovingInstances, BlockAllTheirRaysInTheFirstStepOfAPicture) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("moving.glb"));
+    Settings settings = smallPreset("quality");
+    settings.lightFrames = 2;
+    PlayingScene stage(context, scene, settings);
+    stage.convergedAt(0.0);
+    const DirectionalVolume& volume = *stage.renderer().directional();
+    const std::uint32_t blocked = volume.voxels().index().readCommands().mostBlockedRays;
+    EXPECT_GT(blocked, 1U << 18U);
+    EXPECT_LE(blocked, volume.irradiance()->blockedCapacity());
+    const IrradianceByFace first = readIrradiance(stage.renderer());
+    // Light starts again, now with room for as many rays as were counted.
+    stage.renderer().render(
+        {{Output::gi}, chooseCamera(scene, ""), LightSteps::all, nullptr, /*allBounces=*/false});
+    stage.convergedAt(0.0);
+    const IrradianceDifference d = differenceOf(first, readIrradiance(stage.renderer()));
+    EXPECT_GT(d.common, 10000U);
+    EXPECT_LE(d.largest, 0.001 * d.mean);
+}
+
 TEST_P(Moving, TheLightMaySetAndTheCameraMayMove) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
