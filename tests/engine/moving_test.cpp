@@ -72,6 +72,22 @@ TEST_P(Moving, ABoxMayLeaveTheVolumeAndComeBack) {
     EXPECT_GT(gridOf(stage.renderer()).lists[0].size(), away + 50);
 }
 
+// Without a static face, the pose in which nothing is visible has no face at all. The pose before it is
+// removed in any case.
+TEST(MovingInstances, ABoxMayVanishFromAnEmptySpaceAndComeBack) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder;
+    const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {});
+    builder.animate(box, "scale", {0, 1, 2}, {1, 1, 1, 0, 0, 0, 1, 1, 1});
+    const Scene scene = load(builder);
+    PlayingScene stage(context, scene, mobileSettings());
+    stage.frameAt(0.0);
+    ASSERT_GT(gridOf(stage.renderer()).lists[0].size(), 1000U);
+    stage.frameAt(1.0);
+    EXPECT_EQ(gridOf(stage.renderer()).lists[0].size(), 0U);
+    expectFresh(stage, context, scene, mobileSettings(), 2.0);
+}
+
 // The box needs far more voxels than the first frame had capacity for.
 TEST(MovingInstances, ABoxMayGrowFromNothing) {
     const Context context = openContext(Backend::egl);
