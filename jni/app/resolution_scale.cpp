@@ -30,7 +30,13 @@ double ResolutionScale::divisor() const {
     return divisors.at(level_);
 }
 
+bool ResolutionScale::wantsTime() {
+    constexpr int period = 8;
+    return timesMs_.size() + 1 < framesToRise || timesMs_.back() > maxMs || ++untimedFrames_ >= period;
+}
+
 bool ResolutionScale::follow(double frameMs) {
+    untimedFrames_ = 0;
     timesMs_.push_back(frameMs);
     std::size_t wanted = level_;
     if (timesMs_.size() >= framesToFall) {

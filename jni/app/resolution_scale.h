@@ -26,6 +26,10 @@ class ResolutionScale {
     // Time between two decisions about heat. A phone's case takes that long to follow the GPU's power.
     static constexpr double heatPeriodS = 10.0;
 
+    // True if the next frame's time is needed: each one until there are enough for a decision, then one in
+    // eight, and each one again while frames are too slow.
+    bool wantsTime();
+
     // Takes a frame's time in ms, from its start until the GPU has finished it. Returns true if the following
     // frames have another size.
     bool follow(double frameMs);
@@ -44,7 +48,8 @@ class ResolutionScale {
 
     std::size_t level_ = 5;         // begins at 1/3; a fast GPU rises within a second
     std::size_t finestByHeat_ = 0;  // the finest level that heat allows
-    std::vector<double> timesMs_;   // times of the last frames at this level
+    std::vector<double> timesMs_;   // times of the last timed frames at this level
+    int untimedFrames_ = 0;         // since the last of them
 };
 
 }  // namespace vct::app

@@ -72,6 +72,13 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     frameMs_ = frameMs_ == 0.0 ? 1e3 * passedS : 0.8 * frameMs_ + 0.2 * 1e3 * passedS;
     if (!gl_->missing().empty()) return drawMessage(window, free);
 
+    // The time is taken by waiting for the GPU, which works with every driver: GPU clocks are wrong on many
+    // (gl/driver_faults.h), and the time between two frames is never below the display's refresh. To wait in
+    // each frame would leave the GPU idle while the next frame is prepared.
+    const bool waitsForGpu = recordS_ > 0 || (scaleFollowsTime(choices_) && scale_.wantsTime());
+    if (waitsForGpu) gl::Finish();
+    const auto start = std::chrono::steady_clock::now();
+
     testDriver();
     const bool measuring = request_ && !isLoading() && testResult_;
     bool isRendered = false;
@@ -83,11 +90,9 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
                                      : measuring ? nullptr
                                                  : gl_->rendererOf(scene_);
     present(renderer, window, free, passedS);
-    if (!isRendered || !testResult_ || !(scaleFollowsTime(choices_) || recordS_ > 0)) return;
-    // The time is taken by waiting for the GPU, which works with every driver: GPU clocks are wrong on many
-    // (gl/driver_faults.h), and the time between two frames is never below the display's refresh.
+    if (!isRendered || !testResult_ || !waitsForGpu) return;
     gl::Finish();
-    const std::chrono::duration<double, std::milli> work = std::chrono::steady_clock::now() - now;
+    const std::chrono::duration<double, std::milli> work = std::chrono::steady_clock::now() - start;
     if (recordS_ > 0) record(1e3 * passedS, work.count());
     if (scaleFollowsTime(choices_)) {
         followTime(window, work.count());

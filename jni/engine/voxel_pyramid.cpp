@@ -139,6 +139,12 @@ void VoxelPyramid::emptyFaceList(std::uint32_t list) const {
                       reinterpret_cast<const std::byte*>(&commands) + first);
 }
 
+void VoxelPyramid::resetBlockedRays() const {
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, offsetof(shared::CommandLists, blockedRays),
+                      sizeof(std::uint32_t), &initialCommands_.blockedRays);
+}
+
 void VoxelPyramid::dispatchOverLevel(std::uint32_t list) const {
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
     dispatch(list * sizeof(shared::LevelCommands) + offsetof(shared::LevelCommands, groupsX));

@@ -53,6 +53,7 @@ class VoxelPyramid {
     // Replaces the commands of all lists.
     void setCommands(const shared::CommandLists& commands) const;
     void emptyFaceList(std::uint32_t list) const;
+    void resetBlockedRays() const;
 
     // Binds one level for image access, and the lists and their commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;

@@ -25,5 +25,6 @@ void main() {
     commands[list].voxelCount = commands[list].staticVoxels;
     commands[list].groupsX = groupsOf(commands[list].staticVoxels);
     commands[list].faceCount = commands[list].staticFaces;
-    commands[list].faceGroupsX = groupsOf(commands[list].staticFaces);
+    // Passes over all faces run without a static face too, because they also remove the pose before the last.
+    commands[list].faceGroupsX = max(groupsOf(commands[list].staticFaces), 1u);
 }

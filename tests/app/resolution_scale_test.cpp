@@ -47,6 +47,27 @@ TEST(ResolutionScale, DoesNotOscillate) {
     }
 }
 
+// To wait for the GPU costs time, and a scene that becomes slow must not stay so for long.
+TEST(ResolutionScale, WantsFewTimesUntilFramesBecomeSlow) {
+    ResolutionScale scale;
+    const auto timesOf = [&](MadeUpDevice device, int frames) {
+        int times = 0;
+        for (int i = 0; i < frames; ++i)
+            if (scale.wantsTime()) {
+                ++times;
+                scale.follow(device.frameMs(scale.divisor()));
+            }
+        return times;
+    };
+    timesOf({1.0, 10.0}, 200);
+    ASSERT_EQ(scale.divisor(), 1.0);
+    EXPECT_EQ(timesOf({1.0, 10.0}, 800), 100);
+    timesOf({1.0, 20.0}, 24);
+    EXPECT_GT(scale.divisor(), 1.0);
+    EXPECT_GT(timesOf({1.0, 10.0}, 300), 30) << "frames of another size are timed again";
+    EXPECT_EQ(scale.divisor(), 1.0);
+}
+
 TEST(ResolutionScale, OneSlowFrameInTwentyChangesNothing) {
     ResolutionScale scale;
     MadeUpDevice fast{1.0, 10.0};

@@ -72,6 +72,22 @@ TEST_P(Moving, ABoxMayLeaveTheVolumeAndComeBack) {
     EXPECT_GT(gridOf(stage.renderer()).lists[0].size(), away + 50);
 }
 
+// Without a static face, the pose in which nothing is visible has no face at all. The pose before it is
+// removed in any case.
+TEST(MovingInstances, ABoxMayVanishFromAnEmptySpaceAndComeBack) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder;
+    const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {});
+    builder.animate(box, "scale", {0, 1, 2}, {1, 1, 1, 0, 0, 0, 1, 1, 1});
+    const Scene scene = load(builder);
+    PlayingScene stage(context, scene, mobileSettings());
+    stage.frameAt(0.0);
+    ASSERT_GT(gridOf(stage.renderer()).lists[0].size(), 1000U);
+    stage.frameAt(1.0);
+    EXPECT_EQ(gridOf(stage.renderer()).lists[0].size(), 0U);
+    expectFresh(stage, context, scene, mobileSettings(), 2.0);
+}
+
 // The box needs far more voxels than the first frame had capacity for.
 TEST(MovingInstances, ABoxMayGrowFromNothing) {
     const Context context = openContext(Backend::egl);
@@ -153,6 +169,29 @@ TEST(MovingInstances, ABoxFillsAConvergedPictureAtOnce) {
     PlayingScene stage(context, scene, mobileSettings());
     stage.convergedAt(0.0);
     expectFreshLight(stage, context, scene, mobileSettings(), 1.0);
+}
+
+// Objects block more rays than the first step has room for. If it left some out, their light would depend on
+// the order of threads.
+TEST(MovingInstances, BlockAllTheirRaysInTheFirstStepOfAPicture) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("moving.glb"));
+    Settings settings = smallPreset("quality");
+    settings.lightFrames = 2;
+    PlayingScene stage(context, scene, settings);
+    stage.convergedAt(0.0);
+    const DirectionalVolume& volume = *stage.renderer().directional();
+    const std::uint32_t blocked = volume.voxels().index().readCommands().mostBlockedRays;
+    EXPECT_GT(blocked, 1U << 18U);
+    EXPECT_LE(blocked, volume.irradiance()->blockedCapacity());
+    const IrradianceByFace first = readIrradiance(stage.renderer());
+    // Light starts again, now with room for as many rays as were counted.
+    stage.renderer().render(
+        {{Output::gi}, chooseCamera(scene, ""), LightSteps::all, nullptr, /*allBounces=*/false});
+    stage.convergedAt(0.0);
+    const IrradianceDifference d = differenceOf(first, readIrradiance(stage.renderer()));
+    EXPECT_GT(d.common, 10000U);
+    EXPECT_LE(d.largest, 0.001 * d.mean);
 }
 
 TEST_P(Moving, TheLightMaySetAndTheCameraMayMove) {

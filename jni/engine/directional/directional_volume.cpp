@@ -218,13 +218,10 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         timer.time(Step::irradiance, [&] { light_->beginStep(voxels_, objects, inputs.allBounces); });
         if (light_->isDirectOutdated())
             timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, *light_); });
-        if (light_->isGatherNeeded()) timer.time(Step::irradiance, [&] { light_->gather(voxels_); });
         // A picture of converged light waits for the GPU, so that no ray and no brick is left out.
-        if (i == 0 && inputs.lightSteps > 1 && (hasDynamic_ || hasCascades_)) {
-            const shared::CommandLists found = voxels_.index().readCommands();
-            light_->onRaysBlocked(found.mostBlockedRays);
-            light_->onBricksPlaced(found);
-        }
+        const bool waits = i == 0 && inputs.lightSteps > 1;
+        if (light_->isGatherNeeded()) timer.time(Step::irradiance, [&] { light_->gather(voxels_, waits); });
+        if (waits && (hasDynamic_ || hasCascades_)) light_->onBricksPlaced(voxels_.index().readCommands());
         if (inputs.onLightStep) inputs.onLightStep(i + 1, i + 1 + light_->stepsLeft());
     }
     if (const bool visibility = reads(inputs.output).ambientVisibility; light_->isOutdated(visibility))

@@ -240,13 +240,27 @@ void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t move
     if (--forwardTurns_ == 0) forwardedCascades_ = 0;
 }
 
-void Irradiance::gather(const DirectionalVoxels& voxels) {
+void Irradiance::findBlockedRays(const DirectionalVoxels& voxels, bool waits) {
+    runOverAll(*block_, voxels);
+    if (!waits) return;
+    onRaysBlocked(voxels.index().readCommands().mostBlockedRays);
+    if (blocked_ <= blockedCapacity_) return;
+    reserveFaces(voxels, true);
+    bind(voxels);
+    uniforms_.bind(GL_UNIFORM_BUFFER);
+    gl::BufferSubData(GL_UNIFORM_BUFFER, offsetof(shared::LightStep, blockedCapacity),
+                      sizeof blockedCapacity_, &blockedCapacity_);
+    voxels.index().resetBlockedRays();
+    runOverAll(*block_, voxels);
+}
+
+void Irradiance::gather(const DirectionalVoxels& voxels, bool waits) {
     const gl::DebugGroup group("gather");
     bind(voxels);
     voxels.bindForRays();
     if (plan_.updatesSky) runOverAll(sky_, voxels);
     if (plan_.traces) run(trace_, voxels);
-    if (block_ && (plan_.traces || plan_.updatesSky)) runOverAll(*block_, voxels);
+    if (block_ && (plan_.traces || plan_.updatesSky)) findBlockedRays(voxels, waits);
     for (int bounce = 0; bounce < plan_.bounces; ++bounce) {
         run(gather_, voxels);
         if (plan_.refiningStep >= 0) run(refine_, voxels);

@@ -46,6 +46,7 @@ class Irradiance {
     void onRaysBlocked(std::uint32_t count) {
         if (count > blockedCapacity_) blocked_ = count + count / 2;
     }
+    std::uint32_t blockedCapacity() const { return blockedCapacity_; }
     // Reports how many layers the bricks have that an earlier step has placed or had no room for. The next
     // step has room for as many, and for those that moving objects may need in their next pose.
     void onBricksPlaced(const shared::CommandLists& found);
@@ -77,7 +78,8 @@ class Irradiance {
     bool isGatherNeeded() const { return !isBakedStep_ && plan_.gathers; }
     // Dispatches the current program, of directional/visited.glsl, over the faces that the step visits.
     void dispatchOverVisited(const DirectionalVoxels& voxels) const;
-    void gather(const DirectionalVoxels& voxels);
+    // `waits`: for the GPU's count of blocked rays, so that none of them is left out for want of room.
+    void gather(const DirectionalVoxels& voxels, bool waits);
     // True if fillBricks() would change something.
     bool isOutdated(bool visibility) const { return isOutdated_ || showsVisibility_ != visibility; }
     // Brings the bricks up to date: with light, or with ambient visibility.
@@ -113,6 +115,7 @@ class Irradiance {
     void uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const;
     // Dispatches a program over the faces that the step visits; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
+    void findBlockedRays(const DirectionalVoxels& voxels, bool waits);
     void runOverAll(const gl::Program& program, const DirectionalVoxels& voxels) const;  // over all faces
     // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
     // static geometry has changed, a bit for each. Its new faces get light as well.

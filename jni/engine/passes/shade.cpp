@@ -9,13 +9,15 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
                                     const Settings& settings) {
     const OutputReads& read = reads(output);
     const std::string number = std::to_string(static_cast<int>(output));
-    std::vector<std::string> defines{
-        "VCT_MODE " + number,
-        booleanDefine("VCT_SHOWS_HARD_SHADOW", read.hardShadow),
-        booleanDefine("VCT_SHOWS_SOFT_SHADOW", read.softShadow),
-        booleanDefine("VCT_PLANE_SHADOW", settings.voxels == Voxels::directional),
-        booleanDefine("VCT_SHOWS_AMBIENT_VISIBILITY", read.ambientVisibility),
-        booleanDefine("VCT_SHOWS_INDIRECT_LIGHT", read.indirectLight)};
+    const bool directional = settings.voxels == Voxels::directional;
+    // The modes 1 to 3 are the thesis's with all voxels.
+    const bool isThesis = !directional || output <= Output::ao;
+    std::vector<std::string> defines{"VCT_MODE " + number,
+                                     booleanDefine("VCT_SHOWS_HARD_SHADOW", read.hardShadow),
+                                     booleanDefine("VCT_SHOWS_SOFT_SHADOW", read.softShadow),
+                                     booleanDefine("VCT_SHOWS_AMBIENT_VISIBILITY", read.ambientVisibility),
+                                     booleanDefine("VCT_SHOWS_INDIRECT_LIGHT", read.indirectLight)};
+    if (isThesis && directional) defines.emplace_back("VCT_DIRECTIONAL_VOXELS");
     const auto append = [&](const std::vector<std::string>& more) {
         defines.insert(defines.end(), more.begin(), more.end());
     };
@@ -27,11 +29,11 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
     if (punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (punctual && read.softShadow && (settings.lightRadius > 0.0F || lights.softPunctual))
         defines.emplace_back("VCT_SOFT_LIGHTS");
-    if (read.softShadow && settings.shadow == Shadow::softMap) defines.emplace_back("VCT_SOFT_SHADOW");
+    if (isThesis && read.softShadow && settings.shadow == Shadow::softMap)
+        defines.emplace_back("VCT_SOFT_SHADOW");
     append(lightDefines({false, lights.environment, false}));  // face irradiance includes emitters
-    const bool gathers = read.ambientVisibility || read.indirectLight;
-    if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_FACE_IRRADIANCE");
-    return {"shade " + number, {"passes/full_screen.vert", "passes/shade.frag"}, defines};
+    const char* const shader = isThesis ? "packed/shade.frag" : "passes/shade.frag";
+    return {"shade " + number, {"passes/full_screen.vert", shader}, defines};
 }
 
 Shade::Shade(gl::ShaderLibrary shaders, const LightFeatures& lights, const Settings& settings)
