@@ -29,9 +29,10 @@ class SavedState {
     struct Image {
         GLint texture = 0, level = 0, layered = 0, layer = 0, access = 0, format = 0;
     };
-    static constexpr std::array<GLenum, 6> switches{
-        GL_BLEND,        GL_CULL_FACE,           GL_DEPTH_TEST,
-        GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD};
+    static constexpr std::array<GLenum, 9> switches{
+        GL_BLEND,           GL_CULL_FACE,           GL_DEPTH_TEST,
+        GL_SCISSOR_TEST,    GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD,
+        GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,         GL_SAMPLE_ALPHA_TO_COVERAGE};
     // Units 0 to the last one that passes read, and the one on which textures are created.
     static constexpr std::size_t textureUnits = VCT_TEX_ENVIRONMENT + 2;
 

@@ -2,9 +2,10 @@
 // lit voxels, and a last pass that computes the light of every pixel.
 //
 // The last pass runs in every frame. The G-buffer pass also does, unless the caller brings its own G-buffer.
-// Shadow maps and voxels depend on the scene's state and, once light has converged, not on the camera. Each
-// is created when an output first needs it, stores the state that it was made for, and is rebuilt only when
-// the state changes. Settings::revoxelize rebuilds them in every frame, so that their time can be measured.
+// Shadow maps and voxels depend on the scene's state and, with cascades, on where these are, but not on the
+// camera's view. Each is created when an output first needs it, stores the state that it was made for, and is
+// rebuilt only when the state changes. Settings::revoxelize rebuilds them in every frame, so that their time
+// can be measured.
 //
 // reads() (engine/output.h) says which of these inputs an output needs.
 #include <algorithm>
@@ -36,6 +37,8 @@ void Renderer::render(const RenderRequest& request) {
     if (!keepsLight) cascades_.follow(eyeInVolume(request.camera, volume_));
     const shared::FrameUniforms uniforms = uploadFrameUniforms(request.camera, voxelizedCascades_);
     if (readsVoxels) {
+        // The first call voxelizes the static geometry, outside of all timed steps. Later calls take the
+        // counts of earlier frames, and grow buffers.
         voxels().prepare(scene_, cascades_);
         voxelizedCascades_ = cascades_;
     }
@@ -70,14 +73,13 @@ void Renderer::render(const RenderRequest& request) {
         const Output output = request.outputs[i];
 
         // Lit voxels (thesis 4.4), and with the preset thesis their mip levels (4.5). Otherwise faces gather
-        // indirect light and ambient visibility. A frame takes one light step (inject, gather), or all steps
-        // until the light has converged. If several outputs show what faces gather, the
-        // first one takes the steps, and the others reuse the result.
+        // indirect light and ambient visibility. A frame takes one light step (inject direct light, trace,
+        // gather, smooth), or all steps until the light has converged. If several outputs show what faces
+        // gather, the first one takes the steps, and the others reuse the result.
         VoxelLight light;
         if (reads(output).voxels) {
             light = voxels().update({.scene = scene_,
                                      .light = direct,
-                                     .surface = surface,
                                      .now = now,
                                      .cascades = cascades_,
                                      .output = output,

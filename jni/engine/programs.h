@@ -39,7 +39,7 @@ struct LightFeatures {
 // Words per face of the buffer of face irradiance (shaders/directional/face_irradiance.glsl), and those among
 // them for the visible shares of the emitters' parts.
 std::uint32_t faceIrradianceWords(const LightFeatures& sources);
-std::uint32_t seenPartWords(const LightFeatures& sources);
+std::uint32_t seenPartWords();
 // The defines of shaders that gather light.
 std::vector<std::string> lightDefines(const LightFeatures& sources);
 // The define of shaders that read or write the sums of directional voxels' faces.

@@ -42,7 +42,7 @@ float largestEmission(const Scene& scene) {
     return largest > 0.0F ? largest : 1.0F;
 }
 
-// Cones of a look-up in the air (docs/embedding.md has the measurement); a power of two.
+// Rays of a look-up in the air (docs/embedding.md has the measurement); a power of two.
 constexpr int lookUpDirections = 8;
 
 // The volume with voxels of the finest cascade's size.

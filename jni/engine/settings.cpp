@@ -64,6 +64,7 @@ Settings presetSettings(const std::string& name) {
         settings.grid = 128;
         settings.gridRange = {128, 256};
         settings.gather.directions = 128;
+        settings.gather.hitBits = 24;
         settings.gather.rays = 16;
         return settings;
     }

@@ -31,10 +31,10 @@ const char* specularName(Specular specular);  // "none", "rays"
 // Throws vct::Error that lists the names if `text` is none of them.
 Specular specularFromText(const std::string& text);
 
-// The kind of voxels that cones are traced through.
+// The kind of voxels.
 enum class Voxels {
     packed,       // the thesis's: one packed word per voxel, filtered by shader code
-    directional,  // six one-sided faces per voxel, filtered by the texture unit
+    directional,  // six one-sided faces per voxel, which rays meet
 };
 
 // Settings of the gather at the faces of directional voxels. docs/design-decisions.md has the measurements
@@ -42,7 +42,7 @@ enum class Voxels {
 struct GatherSettings {
     int directions = 64;        // cached rays per face; a power of two
     int refinedDirections = 0;  // rays per face that refine the light at rest; a power of two; 0: none
-    int hitBits = 24;           // per cached ray: Irradiance::fitting()
+    int hitBits = 20;           // per cached ray: 24 if half a million ids of faces do not suffice
     int rays = 8;               // rays per face and light step, of those that are new and that refine
     // Rays of all faces of moving objects together that are traced again in a frame in which one moves.
     int rayBudget = 16384;

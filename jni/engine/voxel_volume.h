@@ -39,7 +39,6 @@ class VoxelVolume {
     struct Inputs {
         const GpuScene& scene;
         DirectLight light;
-        const GBuffer::Targets& surface;  // the visible surfaces
         SceneState now;
         const Cascades& cascades;                        // their places in this frame
         Output output;                                   // decides which light is needed

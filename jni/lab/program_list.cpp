@@ -79,7 +79,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
                 addRays({"carry_over", "carry_hits"});
             if (settings.cascades > 1) addRays({"forward_hits", "list_visited"});
             if (settings.cascades > 1) add(Step::irradiance, lightProgram("list_unlinked", lights));
-            if (features.movingObjects) addRays({"block"});
+            if (features.movingObjects) addRays({"block_rays"});
         }
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());
@@ -135,6 +135,7 @@ std::vector<Settings> everySettings() {
     soft.cascades = 2;
     all.push_back(soft);
     soft.voxels = Voxels::packed;
+    soft.specular = Specular::none;
     soft.cascades = 1;
     all.push_back(soft);
     const auto sky = std::make_shared<const Environment>(Image(2, 1), "of no light");

@@ -4,6 +4,10 @@
 #include "directional/cascades.glsl"
 #include "directional/face_sums.glsl"
 
+#ifndef VCT_PIXEL_SAMPLES
+#define VCT_PIXEL_SAMPLES 4
+#endif
+
 in vec3 fragmentPosition;
 
 // From the pixel's middle, in pixels. Of four samples, the standard places (Vulkan, standardSampleLocations).

@@ -1,6 +1,6 @@
 // Traces cached rays: those that have hit nothing yet, a few per face and step, and of moving objects' faces
 // some of all rays again. Rays of static faces meet static geometry, so that their hits stay
-// (directional/block.comp finds the moving objects before them).
+// (directional/block_rays.comp finds the moving objects before them).
 #include "directional/face_rays.glsl"
 #include "directional/visited.glsl"
 

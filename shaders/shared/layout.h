@@ -112,7 +112,7 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Locations of uniforms outside of blocks.
-#define VCT_UNIFORM_LEVEL 0             // mip level that a pass computes
+#define VCT_UNIFORM_LEVEL 0             // mip level or list that a pass works on
 #define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2          // the cascades whose static geometry has changed, a bit for each
@@ -191,7 +191,7 @@ using glm::vec4;
 #define VCT_HIT_SKY 1u
 #define VCT_HIT_BACK 2u      // the back of a surface: the ray does not count
 #define VCT_HIT_FACE 3u      // plus the face's id
-#define VCT_MAX_OBJECTS 128  // moving objects as spheres (directional/moving_objects.glsl)
+#define VCT_MAX_OBJECTS 128  // moving objects as spheres (directional/block_rays.comp)
 // Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4       // 2^VCT_BRICK_LEVEL voxels
@@ -345,8 +345,9 @@ struct LevelCommands {
 };
 struct CommandLists {
     LevelCommands lists[VCT_LISTS];
-    uint dynamicList;  // list of the dynamic objects in the present pose
-    uint blockedRays;  // cached rays that moving objects block, so far in the step (directional/block.comp)
+    uint dynamicList;      // list of the dynamic objects in the present pose
+    uint blockedRays;      // cached rays that moving objects block, so far in the step
+                           // (directional/block_rays.comp)
     uint mostBlockedRays;  // the largest number in a step, also of those that did not fit
     uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
     uint unusedIds;        // static ids without a face after the cascades moved last

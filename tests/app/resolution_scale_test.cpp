@@ -155,7 +155,7 @@ TEST(ResolutionInTheApp, RisesToTheWindowAndKeepsWhatTheSceneHas) {
     android.frames(2);
     android.run();
     const auto& sections = android.traceSections;
-    EXPECT_NE(std::find(sections.begin(), sections.end(), "cone trace"), sections.end());
+    EXPECT_NE(std::find(sections.begin(), sections.end(), "shade"), sections.end());
     EXPECT_EQ(std::find(sections.begin(), sections.end(), "voxelize"), sections.end());
     EXPECT_EQ(android.errors(), "");
     EXPECT_EQ(android.misuse, std::vector<std::string>{});

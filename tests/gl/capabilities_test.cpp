@@ -16,7 +16,8 @@ namespace {
 struct MadeUpDriver {
     std::string version = "OpenGL ES 3.1 made up";
     std::vector<std::string> extensions = {"GL_OES_shader_image_atomic", "GL_EXT_geometry_shader",
-                                           "GL_EXT_color_buffer_half_float", "GL_KHR_debug"};
+                                           "GL_EXT_color_buffer_half_float", "GL_KHR_debug",
+                                           "GL_OES_sample_variables"};
     bool essl310 = true, essl320 = false;
     std::map<GLenum, GLint> limits = {
         {GL_MAX_FRAGMENT_IMAGE_UNIFORMS, 1},
@@ -87,7 +88,8 @@ TEST(Requirements, TheAndroidExtensionPackIsNotRequired) {
         driver.extensions = {"GL_OES_shader_image_atomic", "GL_EXT_color_buffer_half_float"};
     };
     EXPECT_EQ(errorAfter(withoutPack), "");
-    EXPECT_EQ(unmetAfter(withoutPack), (std::vector<std::string>{"GL_EXT_geometry_shader", "GL_KHR_debug"}));
+    EXPECT_EQ(unmetAfter(withoutPack), (std::vector<std::string>{"GL_EXT_geometry_shader",
+                                                                 "GL_OES_sample_variables", "GL_KHR_debug"}));
 }
 
 TEST(Requirements, FloatTargetsMayReplaceHalfFloatOnes) {

@@ -64,7 +64,8 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       counts_("counts of listed faces", sizeof(shared::CommandLists)),
       injector_(shaders, sources) {}
 
-// Allocates all buffers before the frame, so that no frame waits for the GPU.
+// Allocates all buffers before the frame. The first call voxelizes everything, and waits for the GPU; later
+// ones do not.
 void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades) {
     shared::CommandLists found;
     if (isPrepared_) {
@@ -192,10 +193,13 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
             counts_.start(voxels_.index().commands());
         });
     if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))
-        light_->onVoxelsChanged({voxelizes, moved, before != inputs.now,
-                                 !sameObjects || before->lightChanges != inputs.now.lightChanges,
-                                 before && before->skyChanges != inputs.now.skyChanges,
-                                 isJump || (voxelizes && hasDynamic_), isMoved},
+        light_->onVoxelsChanged({.lists = voxelizes,
+                                 .voxelized = moved,
+                                 .light = before != inputs.now,
+                                 .emitters = !sameObjects || before->lightChanges != inputs.now.lightChanges,
+                                 .sky = before && before->skyChanges != inputs.now.skyChanges,
+                                 .all = isJump || (voxelizes && hasDynamic_),
+                                 .cascades = isMoved},
                                 shifts);
     cachedFor_ = inputs.now;
 
@@ -204,11 +208,9 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     if (!reads(inputs.output).gathered()) return light;
     if (light_ && !light_->hasBitsFor(voxels_.idCapacity())) light_.reset();
     if (!light_) {
-        const bool listsChange = hasDynamic_ || hasCascades_;
-        light_.emplace(shaders_,
-                       Irradiance::fitting(settings_.gatherOfFrames(), voxels_.idCapacity(), listsChange),
-                       settings_.lightFrames, inputs.scene.moves() && !voxelizesAll_, listsChange,
-                       hasCascades_, sources_);
+        light_.emplace(shaders_, Irradiance::fitting(settings_.gatherOfFrames(), voxels_.idCapacity()),
+                       settings_.lightFrames, inputs.scene.moves() && !voxelizesAll_,
+                       hasDynamic_ || hasCascades_, hasCascades_, sources_);
         if (inputs.baked && inputs.allBounces) light_->useBaked(inputs.baked, inputs.isBakedCurrent);
     }
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();

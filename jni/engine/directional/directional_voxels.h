@@ -13,8 +13,8 @@
 
 namespace vct {
 
-// Fixed-point units of a fully covered face in the sums of voxelization: 4096, or fewer if the scene has so
-// many triangles that a sum could overflow. (A triangle makes at most one fragment per voxel.)
+// Fixed-point units of a fully covered face in the sums of voxelization: 65536, or fewer if the scene has so
+// many triangles that a sum could overflow. (A triangle covers a face at most once.)
 float faceSumUnits(std::size_t triangles);
 
 gl::ProgramDescription clearDynamicProgram(bool emission);

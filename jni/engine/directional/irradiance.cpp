@@ -97,15 +97,14 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (hasCascades) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
     if (hasCascades) listUnlinked_.emplace(shaders, lightProgram("list_unlinked", sources));
-    if (hasObjects) block_.emplace(shaders, raysProgram("block", settings, sources));
+    if (hasObjects) block_.emplace(shaders, raysProgram("block_rays", settings, sources));
     if (sources.emitterParts > 0) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
 
-GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids, bool grows) {
+GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     GLint largest = 0;
     gl::GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    while (settings.hitBits > 16 && (grows ? ids + ids / 2 : ids) <= maxIds(settings.hitBits - 4))
-        settings.hitBits -= 4;
+    if (ids > maxIds(settings.hitBits)) settings.hitBits = 24;
     const auto bytes = [&] {
         const auto hits = static_cast<std::size_t>(settings.directions);
         const std::size_t mostWords = VCT_FACE_IRRADIANCE_WORDS + 2 + VCT_MAX_EMITTER_PARTS / 8 + 1;

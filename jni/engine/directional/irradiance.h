@@ -16,25 +16,23 @@
 
 namespace vct {
 
-// A program of a light step, except for those below. `name`: clear_bricks, place_bricks, mark_walls or
-// fill_bricks.
+// A program of a light step that does not depend on the number of directions. `name`: of its shader.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-// A program that depends on the number of directions. `name`: carry_over, carry_hits, sky, trace, block,
-// gather, refine or smooth.
+// A program of a light step that depends on it.
 gl::ProgramDescription raysProgram(const std::string& name, const GatherSettings& settings,
                                    const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const LightFeatures& sources);
 
 class Irradiance {
   public:
-    // `lightFrames`: as in LightSchedule. `hasObjects`: there are moving objects before static faces.
+    // `lightFrames`: as in LightSchedule. `hasObjects`: objects may block the rays of static faces.
     // `listsChange`: faces get other ids, because there are dynamic objects or cascades.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
                bool hasObjects, bool listsChange, bool hasCascades, const LightFeatures& sources);
 
-    // The settings with as many cached rays per face as fit into a storage block of the driver, and as few
-    // bits per hit as the ids need. `grows`: there may be half as many ids again.
-    static GatherSettings fitting(GatherSettings settings, std::uint32_t ids, bool grows);
+    // The settings with as many cached rays per face as fit into a storage block of the driver, and with the
+    // bits per hit that the ids need.
+    static GatherSettings fitting(GatherSettings settings, std::uint32_t ids);
     // True if hits have enough bits for so many ids.
     bool hasBitsFor(std::uint32_t ids) const { return ids <= maxIds(settings_.hitBits); }
 

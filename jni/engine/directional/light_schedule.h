@@ -49,7 +49,7 @@ class LightSchedule {
         bool light = false;           // the light or the occluders have changed
         bool emitters = false;        // emitters or occluders have changed
         bool sky = false;             // the sky has changed
-        bool all = false;             // something else that may change the light of all faces
+        bool all = false;             // dynamic objects were voxelized, or a cascade has jumped
         bool cascades = false;        // cascades have moved with the camera
         bool any() const { return lists || light || emitters || sky || cascades; }
         // True if nothing else has changed than the places of cascades.

@@ -64,7 +64,7 @@ const gl::Program& Shade::program(Output output, const GBuffer::Targets& surface
 
 const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, const DirectLight& direct,
                                const VoxelLight& indirect) {
-    const gl::DebugGroup group("cone trace");
+    const gl::DebugGroup group("shade");
     const bool reflects = surface.gloss != nullptr && reads(output).reflections;
     if (reflects && !gloss_) gloss_.emplace(shaders_, lights_, radiance_);
     if (reflects) gloss_->traceRough(surface, indirect);
