@@ -55,7 +55,6 @@ class Emitters {
     // Replaces the radiance of an instance, which has no texture.
     void setRadiance(std::size_t instance, const glm::vec3& radiance);
     const std::vector<bool>& instances() const { return instances_; }
-    int partCount() const { return static_cast<int>(parts_.size()); }
     const gl::Buffer& uniforms() const { return uniforms_; }
 
   private:

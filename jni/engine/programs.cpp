@@ -38,17 +38,8 @@ std::vector<std::string> gatherDefines(const GatherSettings& settings) {
 std::vector<std::string> lightDefines(const LightFeatures& sources) {
     std::vector<std::string> defines;
     if (sources.environment) defines.emplace_back("VCT_ENVIRONMENT");
-    if (sources.emitterParts > 0) defines.push_back("VCT_EMITTERS " + std::to_string(seenPartWords()));
+    if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
     return defines;
-}
-
-std::uint32_t seenPartWords() {
-    return VCT_MAX_EMITTER_PARTS / 8;
-}
-
-std::uint32_t faceIrradianceWords(const LightFeatures& sources) {
-    return sources.emitterParts == 0 ? VCT_FACE_IRRADIANCE_WORDS
-                                     : VCT_FACE_IRRADIANCE_WORDS + 2 + seenPartWords();
 }
 
 std::vector<std::string> emissionDefines(bool emission) {

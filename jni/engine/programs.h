@@ -32,14 +32,10 @@ std::vector<std::string> gatherDefines(const GatherSettings& settings);
 struct LightFeatures {
     bool punctual = false;      // punctual lights (passes/punctual_lights.h)
     bool environment = false;   // a sky that depends on direction (environment.h)
-    int emitterParts = 0;       // parts of compact emitters (emitters.h)
+    bool emitters = false;      // compact emitters (emitters.h)
     bool emission = false;      // surfaces that emit light
     bool softPunctual = false;  // punctual lights have a size of their own (PunctualLight::size)
 };
-// Words per face of the buffer of face irradiance (shaders/directional/face_irradiance.glsl), and those among
-// them for the visible shares of the emitters' parts.
-std::uint32_t faceIrradianceWords(const LightFeatures& sources);
-std::uint32_t seenPartWords();
 // The defines of shaders that gather light.
 std::vector<std::string> lightDefines(const LightFeatures& sources);
 // The define of shaders that read or write the sums of directional voxels' faces.

@@ -256,8 +256,8 @@ SceneState Renderer::state() const {
 }
 
 LightFeatures Renderer::lightFeatures() const {
-    return {punctualLights_.has_value(), settings_.environment != nullptr,
-            emitters_ ? emitters_->partCount() : 0, scene_.features().has(featureEmissive), softLights_};
+    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value(),
+            scene_.features().has(featureEmissive), softLights_};
 }
 
 GBuffer& Renderer::gBuffer() {

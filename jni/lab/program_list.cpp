@@ -33,10 +33,9 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
     };
     const ExtraTargets targets = extraTargets(features, settings.specular);
     const bool emission = features.has(featureEmissive);
-    const LightFeatures lights{
-        features.has(featurePunctualLights), settings.environment != nullptr,
-        settings.voxels == Voxels::directional && emission && compactEmitters ? VCT_MAX_EMITTER_PARTS : 0,
-        emission};
+    const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
+                               settings.voxels == Voxels::directional && emission && compactEmitters,
+                               emission};
     const OutputReads& read = reads(mode);
     if (read.shadowMap())
         for (unsigned f : features.materialFeatures)
@@ -68,7 +67,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             for (const char* name :
                  {"clear_bricks", "place_bricks", "mark_walls", "link_faces", "fill_bricks"})
                 add(Step::irradiance, lightProgram(name, lights));
-            if (lights.emitterParts > 0) add(Step::irradiance, emittersProgram(lights));
+            if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
             add(Step::inject, injectProgram(lights));
             const auto addRays = [&](std::initializer_list<const char*> names) {
                 for (const char* name : names)

@@ -28,10 +28,9 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 #define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; storeBlockedCounts()
 #define VCT_FACE_ROW 20u                    // two words: mean of `now` over a row of neighbouring faces
 #define VCT_FACE_EMITTERS 22u               // two words: irradiance by the compact emitters
-// VCT_EMITTERS words: visible share of the emitters' parts, 4 bits each.
-#define VCT_FACE_SEEN_PARTS 24u
+#define VCT_FACE_SEEN_PARTS 24u             // four words: visible share of the emitters' parts, 4 bits each
 #ifdef VCT_EMITTERS
-#define VCT_IRRADIANCE_WORDS (VCT_FACE_SEEN_PARTS + uint(VCT_EMITTERS))
+#define VCT_IRRADIANCE_WORDS VCT_EMITTERS_FACE_IRRADIANCE_WORDS
 #else
 #define VCT_IRRADIANCE_WORDS VCT_FACE_IRRADIANCE_WORDS
 #endif
@@ -100,13 +99,12 @@ float closeness(float nearness) {
     return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
 }
 
-// Hits have as few bits as the ids of the faces need (hitsWord()). VCT_HIT_BITS: 16, 20 or 24.
+// Eight hits lie in some words (hitsWord()). VCT_HIT_BITS: 20 or 24.
 #ifdef VCT_DIRECTIONS
 uint hitsAt(uint id, uint octet) {
     return lightStep.firstHit + hitsWord(id, octet, uint(VCT_DIRECTIONS), uint(VCT_HIT_BITS));
 }
 const uint hitsStep = uint(VCT_HIT_BITS) / 4u * VCT_FACE_GROUP;  // from eight hits to the next eight
-#if VCT_HIT_BITS > 16
 const uint upperBits = uint(VCT_HIT_BITS) - 16u;
 // The word with the upper bits of a hit of an octet, and the position of the bits in it.
 uint upperAt(uint at, uint place) {
@@ -115,24 +113,19 @@ uint upperAt(uint at, uint place) {
 uint upperShift(uint place) {
     return upperBits * place & 31u;
 }
-#endif
 // The first or the last four hits of the octet at a position. `part`: 0 or 1.
 uvec4 cachedHitsFrom(uint at, uint part) {
     uint first = at + 2u * part * VCT_FACE_GROUP;
     uvec2 lower = uvec2(faceIrradianceData[first], faceIrradianceData[first + VCT_FACE_GROUP]);
     uvec4 hits = uvec4(lower.x << 16u >> 16u, lower.x >> 16u, lower.y << 16u >> 16u, lower.y >> 16u);
-#if VCT_HIT_BITS > 16
     uint upper = faceIrradianceData[upperAt(at, 4u * part)] >> upperShift(4u * part);
     uvec4 parts = uvec4(upper, upper >> upperBits, upper >> 2u * upperBits, upper >> 3u * upperBits);
-    hits |= parts << (32u - upperBits) >> (16u - upperBits);
-#endif
-    return hits;
+    return hits | parts << (32u - upperBits) >> (16u - upperBits);
 }
 void storeCachedHitsFrom(uint at, uint part, uvec4 hits) {
     uint first = at + 2u * part * VCT_FACE_GROUP;
     faceIrradianceData[first] = hits.x << 16u >> 16u | hits.y << 16u;
     faceIrradianceData[first + VCT_FACE_GROUP] = hits.z << 16u >> 16u | hits.w << 16u;
-#if VCT_HIT_BITS > 16
     uvec4 parts = hits >> 16u;
     uint upper = parts.x | parts.y << upperBits | parts.z << 2u * upperBits | parts.w << 3u * upperBits;
     uint word = upperAt(at, 4u * part);
@@ -141,7 +134,6 @@ void storeCachedHitsFrom(uint at, uint part, uvec4 hits) {
     upper = faceIrradianceData[word] & ~(0xFFFFu << shift) | upper << shift;
 #endif
     faceIrradianceData[word] = upper;
-#endif
 }
 // The hits of the cached rays 4 `quad` to 4 `quad` + 3.
 uvec4 cachedHits(uint id, uint quad) {
@@ -153,11 +145,8 @@ void storeCachedHits(uint id, uint quad, uvec4 hits) {
 uint cachedHit(uint id, uint direction) {
     uint at = hitsAt(id, direction >> 3u), place = direction & 7u;
     uint hit = faceIrradianceData[at + (place >> 1u) * VCT_FACE_GROUP] >> 16u * (place & 1u) & 0xFFFFu;
-#if VCT_HIT_BITS > 16
     uint upper = faceIrradianceData[upperAt(at, place)] >> upperShift(place);
-    hit |= (upper & (1u << upperBits) - 1u) << 16u;
-#endif
-    return hit;
+    return hit | (upper & (1u << upperBits) - 1u) << 16u;
 }
 void storeCachedHit(uint id, uint direction, uint hit) {
     uvec4 hits = cachedHits(id, direction >> 2u);

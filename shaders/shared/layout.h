@@ -177,9 +177,10 @@ using glm::vec4;
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl) without compact
-// emitters.
+// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without and with
+// compact emitters.
 #define VCT_FACE_IRRADIANCE_WORDS 22u
+#define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 28u
 // The first of the two words of the light that pixels see.
 #define VCT_FACE_SHOWN_WORD 4u
 // The first of the five words that depend on what the cached rays have hit, and the last of them.
@@ -380,8 +381,8 @@ VCT_FUNCTION uint faceWord(uint id, uint words) {
     return (id / VCT_FACE_GROUP + 1u) * VCT_FACE_GROUP + id * words;
 }
 // Position of the first of the words that hold the hits 8 `octet` to 8 `octet` + 7 of a face, of
-// `directions`, with `bits` each: 16, 20 or 24. Four words have the lower 16 bits of the eight hits, and the
-// next ones, if any, the upper bits. The words of VCT_FACE_GROUP faces lie beside each other: the next word
+// `directions`, with `bits` each: 20 or 24. Four words have the lower 16 bits of the eight hits, and the next
+// ones the upper bits. The words of VCT_FACE_GROUP faces lie beside each other: the next word
 // of a face is so far away.
 VCT_FUNCTION uint hitsWord(uint id, uint octet, uint directions, uint bits) {
     uint words = bits / 4u;  // of an octet

@@ -30,7 +30,6 @@ struct CachedHits {
         for (std::uint32_t i = 0; i < hits.size(); ++i) {
             const std::uint32_t at = upperBits * i;
             hits.at(i) = words[std::size_t{i / 2} * VCT_FACE_GROUP] >> (16 * (i % 2)) & 0xFFFFU;
-            if (upperBits == 0) continue;
             const std::uint32_t upper = words[std::size_t{4 + at / 32} * VCT_FACE_GROUP] >> at % 32;
             hits.at(i) |= (upper & ((1U << upperBits) - 1)) << 16U;
         }
@@ -40,8 +39,7 @@ struct CachedHits {
         for (std::uint32_t i = 0; i < hits.size(); ++i) {
             const std::uint32_t at = upperBits * i;
             words[std::size_t{i / 2} * VCT_FACE_GROUP] |= (hits.at(i) & 0xFFFFU) << (16 * (i % 2));
-            if (upperBits > 0)
-                words[std::size_t{4 + at / 32} * VCT_FACE_GROUP] |= hits.at(i) >> 16U << at % 32;
+            words[std::size_t{4 + at / 32} * VCT_FACE_GROUP] |= hits.at(i) >> 16U << at % 32;
         }
     }
     std::array<std::uint32_t, 8> hits{};
@@ -88,7 +86,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       smoothRows_(shaders, raysProgram("smooth_rows", settings, sources)),
       smooth_(shaders, raysProgram("smooth", settings, sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
-      irradianceWords_(faceIrradianceWords(sources)),
+      emitters_(sources.emitters),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (listsChange) {
         carryOver_.emplace(shaders, raysProgram("carry_over", settings, sources));
@@ -98,7 +96,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
     if (hasCascades) listUnlinked_.emplace(shaders, lightProgram("list_unlinked", sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block_rays", settings, sources));
-    if (sources.emitterParts > 0) findEmitters_.emplace(shaders, emittersProgram(sources));
+    if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
 
 GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
@@ -107,9 +105,8 @@ GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     if (ids > maxIds(settings.hitBits)) settings.hitBits = 24;
     const auto bytes = [&] {
         const auto hits = static_cast<std::size_t>(settings.directions);
-        const std::size_t mostWords = VCT_FACE_IRRADIANCE_WORDS + 2 + VCT_MAX_EMITTER_PARTS / 8 + 1;
-        const std::size_t words =
-            mostWords + hits * static_cast<std::size_t>(settings.hitBits) / 32 + hits / 8;
+        const std::size_t words = VCT_EMITTERS_FACE_IRRADIANCE_WORDS + 1 +
+                                  hits * static_cast<std::size_t>(settings.hitBits) / 32 + hits / 8;
         return words * ids * sizeof(std::uint32_t);
     };
     while (settings.directions > 16 && bytes() > static_cast<std::size_t>(largest))
@@ -305,10 +302,10 @@ bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
                     "; use a coarser grid");
     const std::uint32_t blockedBefore = blockedCapacity_;
     if (hasObjects_) {
-        // All rays of a small scene, 1/128 of those of a large one, or as many as there were.
+        // All rays of a small scene, 1/32 of those of a large one, or as many as there were.
         const std::uint32_t faces = capacities_[0];
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
-        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 128, std::min(all, 1U << 16U)});
+        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 32, std::min(all, 1U << 18U)});
     }
     const bool grows = before != capacities_;
     if (oldIds != 0 && !grows && blockedBefore == blockedCapacity_) return false;

@@ -94,7 +94,9 @@ class Irradiance {
     // The light and the hits of faces by their ids: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words per face at the beginning of faceIrradiance().
-    std::uint32_t irradianceWords() const { return irradianceWords_; }
+    std::uint32_t irradianceWords() const {
+        return emitters_ ? VCT_EMITTERS_FACE_IRRADIANCE_WORDS : VCT_FACE_IRRADIANCE_WORDS;
+    }
     std::vector<const gl::Texture*> textures() const;
     // Binds the buffers and textures that the shaders of a step use.
     void bind(const DirectionalVoxels& voxels) const;
@@ -149,7 +151,7 @@ class Irradiance {
     std::optional<gl::Program> forwardHits_, listVisited_, listUnlinked_;  // only with cascades
     std::optional<gl::Program> block_;                                     // only with moving objects
     std::optional<gl::Program> findEmitters_;  // only if the scene has compact emitters
-    std::uint32_t irradianceWords_;
+    bool emitters_;
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
     bool isBakedCurrent_ = false;
     bool isBakedStep_ = false;  // the present step took over all of its light
