@@ -25,6 +25,31 @@ ivec3 unpackShift(uint shift) {
     return ivec3(int(shift << 22u) >> 22, int(shift << 12u) >> 22, int(shift << 2u) >> 22);
 }
 
+// True if a voxel or a block lies among those that have come into its cascade, or less than `reach` beside
+// them or beside those that have left it. `arrived`: packShift() of the voxels that have come in along the
+// cascade's lower and upper sides. `size`: of a block, in voxels, or 1.
+bool isNearArrived(ivec3 place, int size, uvec2 arrived, int reach) {
+    int side = frame.gridSide / size;
+    ivec3 above = place - firstOfCascade(place, side), below = side - 1 - above;
+    ivec3 lower = unpackShift(arrived.x) / size, upper = unpackShift(arrived.y) / size;
+    for (int axis = 0; axis < 3; ++axis)
+        if (lower[axis] + upper[axis] > 0 &&
+            (above[axis] < lower[axis] + reach || below[axis] < upper[axis] + reach))
+            return true;
+    return false;
+}
+
+// Where the static walls of a block are stored. The places wrap around along each axis, so that blocks keep
+// theirs while a cascade moves.
+ivec3 wrappedBlock(ivec3 block) {
+    if (cascades == 1) return block;
+    int side = frame.gridSide >> VCT_BRICK_LEVEL;
+    ivec3 first = firstOfCascade(block, side);
+    vec4 cube = frame.cascade[block.z / side];
+    ivec3 inWorld = block - first + (ivec3(cube.xyz * cube.w + 0.5) >> VCT_BRICK_LEVEL);
+    return first + inWorld - inWorld / side * side;
+}
+
 // The voxel nearest to `wanted` in the cascade of `voxel`.
 ivec3 clampToCascade(ivec3 wanted, ivec3 voxel, int side) {
     ivec3 first = firstOfCascade(voxel, side);

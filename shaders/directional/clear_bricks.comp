@@ -1,5 +1,5 @@
-// Clears the locations of the bricks of face irradiance that are placed again, and the static walls of
-// cascades that have moved. The bricks themselves are cleared where they are placed.
+// Clears the locations of the bricks of face irradiance that are placed again, and the static walls of blocks
+// that have come into their cascade. The bricks themselves are cleared where they are placed.
 #include "directional/cascades.glsl"
 #include "directional/walls.glsl"
 #include "shared/commands.glsl"
@@ -7,8 +7,8 @@
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
 layout(r32ui, binding = VCT_IMAGE_STATIC_WALLS) writeonly uniform highp uimage3D staticWalls;
-layout(location = VCT_UNIFORM_PLACED) uniform uint placed;   // a bit per cascade whose bricks are placed
-layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade whose walls are cleared
+layout(location = VCT_UNIFORM_PLACED) uniform uint placed;  // a bit per cascade whose bricks are placed
+layout(location = VCT_UNIFORM_ARRIVED) uniform uvec2 arrived[VCT_MAX_CASCADES];  // isNearArrived()
 
 void main() {
     ivec3 texel = ivec3(gl_GlobalInvocationID), size = imageSize(brickSlots);
@@ -18,7 +18,9 @@ void main() {
         imageStore(brickSlots, texel, uvec4(0u));
         if (texel == ivec3(0, 0, cascade * side)) brickLayers[cascade] = 0u;
     }
-    if ((moved >> uint(cascade) & 1u) == 0u) return;
+    ivec3 block = ivec3(texel.x % side, texel.y % side, texel.z);
+    if (!isNearArrived(block, VCT_BRICK_SIDE, arrived[cascade], 0)) return;
+    texel += wrappedBlock(block) - block;
     for (int word = 0; word < 2; ++word)
         imageStore(staticWalls, wallTexel(texel, word, size.z), uvec4(0u));
 }

@@ -1,6 +1,7 @@
 // Finds the thin walls that cross a floor, a ceiling or another wall, and writes them into the words of the
-// bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay as
-// they are until the cascade moves; walls of dynamic objects are added to the bricks.
+// bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay
+// while a cascade moves, so that those are marked that may cross faces of new voxels; walls of dynamic
+// objects are added to the bricks.
 #include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
@@ -11,8 +12,8 @@ layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) coherent uniform highp uimage3D brickSlots;
 layout(r32ui, binding = VCT_IMAGE_WALLS) coherent uniform highp uimage3D walls;  // static or of the bricks
-layout(location = VCT_UNIFORM_LEVEL) uniform uint list;      // the list of the walls' faces
-layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade whose walls are marked
+layout(location = VCT_UNIFORM_LEVEL) uniform uint list;  // the list of the walls' faces
+layout(location = VCT_UNIFORM_ARRIVED) uniform uvec2 arrived[VCT_MAX_CASCADES];  // isNearArrived()
 
 struct Cells {
     uint still;
@@ -47,7 +48,8 @@ Surface surfaceOf(Cells cells, int face) {
 // Adds a wall to the word of a block's brick. `slot`: the word of the two.
 void markBrick(ivec3 block, int face, int slot, uint word) {
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
-    ivec3 texel = faceTexel(block, face >> 1, face & 1, blocks);
+    ivec3 place = list == dynamicList ? block : wrappedBlock(block);
+    ivec3 texel = faceTexel(place, face >> 1, face & 1, blocks);
     if (list == dynamicList && imageLoad(brickSlots, texel).r == 0u) return;
     if (list == dynamicList) imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
     // A failed attempt means that another wall has changed the word, which only grows. The limit is for
@@ -139,7 +141,10 @@ void main() {
         ListedFace listed = listedFace(list, i);
         // A wall has two faces, and is found from the one that looks along its axis.
         if (list == 0u && listed.isMerged) continue;
-        if ((listed.face & 1) != 0 || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
+        const int reach = 8;  // from a wall to the bricks in which it is marked, in voxels
+        if ((listed.face & 1) != 0 ||
+            !isNearArrived(listed.voxel, 1, arrived[cascadeOf(listed.voxel)], reach))
+            continue;
         const float minCoverage = 0.25, minCosine = 0.4;
         int axis = listed.face >> 1;
         Cells cells = cellsAt(listed.voxel, listed.voxel);

@@ -105,7 +105,8 @@ void main() {
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
         for (int word = 0; word < 2; ++word) {
             ivec3 at = wallTexel(texel, word, imageSize(brickSlots).z);
-            uint ownWall = texelFetch(staticWalls, at, 0).r;
+            ivec3 wrapped = wrappedBlock(listed.voxel) - listed.voxel;
+            uint ownWall = texelFetch(staticWalls, at + wrapped, 0).r;
             if (brick != 0u && ownWall != 0u) brick |= VCT_BRICK_HAS_WALLS;
             imageStore(walls, at, uvec4(ownWall));
         }

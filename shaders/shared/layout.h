@@ -120,6 +120,7 @@ using glm::vec4;
 #define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
 #define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
+#define VCT_UNIFORM_ARRIVED 3           // packShift(): voxels that have come into each cascade, on both sides
 #define VCT_UNIFORM_TURNS 1             // number of parts of the faces that take turns
 #define VCT_UNIFORM_VISITS_ALL 9        // 1: the pass visits all faces; 0: those of VCT_LIST_VISITED
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light

@@ -45,6 +45,15 @@ struct CachedHits {
     std::array<std::uint32_t, 8> hits{};
 };
 
+// Sets the uniform of isNearArrived() (shaders/directional/cascades.glsl).
+void setArrived(const ArrivedVoxels& arrived, int cascades) {
+    constexpr int most = 511;  // of packShift()
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cascades); ++i)
+        gl::Uniform2ui(VCT_UNIFORM_ARRIVED + static_cast<GLint>(i),
+                       shared::packShift(glm::min(arrived.lower.at(i), most)),
+                       shared::packShift(glm::min(arrived.upper.at(i), most)));
+}
+
 void append(std::vector<std::string>& defines, const std::vector<std::string>& more) {
     defines.insert(defines.end(), more.begin(), more.end());
 }
@@ -66,6 +75,17 @@ gl::ProgramDescription raysProgram(const std::string& name, const GatherSettings
     std::vector<std::string> defines = gatherDefines(settings);
     append(defines, lightProgram(name, sources).defines);
     return {name, {"directional/" + name + ".comp"}, defines};
+}
+
+void ArrivedVoxels::add(const CascadeShifts& moves) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        lower.at(i) += glm::max(-moves.at(i), 0);
+        upper.at(i) += glm::max(moves.at(i), 0);
+    }
+}
+
+void ArrivedVoxels::addAll(int grid) {
+    lower.fill(glm::ivec3(grid));
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
@@ -122,8 +142,7 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const Casc
     pending_.sky |= change.sky;
     pending_.all |= change.all;
     pending_.cascades |= change.cascades;
-    for (std::size_t i = 0; i < shifts.size(); ++i)
-        pendingPaths_.at(i) += glm::abs(shifts.at(i));
+    pendingVoxels_.add(shifts);
     if (change.lists) unplacedCascades_ |= change.all ? DirectionalVoxels::allCascades : change.voxelized;
 }
 
@@ -140,7 +159,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
                            bool allBounces) {
     const gl::DebugGroup group("begin light step");
     const LightSchedule::Change change = std::exchange(pending_, {});
-    const CascadeShifts paths = std::exchange(pendingPaths_, {});
+    ArrivedVoxels arrived = std::exchange(pendingVoxels_, {});
     plan_ = schedule_.advance(change);
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
@@ -156,11 +175,11 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     bind(voxels);
     if (const std::uint32_t placed = std::exchange(unplacedCascades_, 0)) {
         if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
-        placeBricks(voxels, placed, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
-        const bool linksAll = marksAllWalls_ || voxels.hasDynamicObjects() ||
-                              change.voxelized == DirectionalVoxels::allCascades;
-        linkFaces(voxels, linksAll, paths);
-        marksAllWalls_ = false;
+        const bool isNew =
+            std::exchange(marksAllWalls_, false) || change.voxelized == DirectionalVoxels::allCascades;
+        if (isNew) arrived.addAll(voxels.grid());
+        placeBricks(voxels, placed, arrived);
+        linkFaces(voxels, isNew || voxels.hasDynamicObjects(), arrived);
         if (isFirst) {
             // The bricks are counted by placing them.
             onBricksPlaced(voxels.index().readCommands());
@@ -168,7 +187,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
             uploadUniforms(objects, allBounces);
             bind(voxels);
             if (std::exchange(unplacedCascades_, 0) != 0)
-                placeBricks(voxels, DirectionalVoxels::allCascades, 0);
+                placeBricks(voxels, DirectionalVoxels::allCascades, {});
         }
         placedCascades_ |= placed;
     }
@@ -225,7 +244,7 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
 
 void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved) {
     // Another move uses the ids of faces that the last one has left, so all turns that are left come now.
-    constexpr std::uint32_t turns = 4;
+    constexpr std::uint32_t turns = 8;
     const bool endsTurns = moved != 0 && forwardTurns_ > 0;
     forwardedCascades_ |= moved;
     forwardTurns_ = endsTurns ? 1 : moved != 0 ? turns : forwardTurns_;
@@ -482,17 +501,17 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
 }
 
 void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed,
-                             std::uint32_t moved) const {
+                             const ArrivedVoxels& arrived) const {
     clearBricks_.use();
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
     staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
-    gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+    setArrived(arrived, voxels.cascades());
     const glm::uvec3 groups = (blocksSize(voxels) + 3) / 4;
     gl::DispatchCompute(groups.x, groups.y, groups.z);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
-    if (moved != 0) markWalls(voxels, 0, *staticWalls_, moved);
+    if (arrived.any()) markWalls(voxels, 0, *staticWalls_, arrived);
     placeBricks_.use();
     staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
@@ -501,18 +520,21 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t plac
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    if (voxels.hasDynamicObjects())
-        markWalls(voxels, voxels.dynamicList(), *walls_, DirectionalVoxels::allCascades);
+    if (voxels.hasDynamicObjects()) {
+        ArrivedVoxels all;
+        all.addAll(voxels.grid());
+        markWalls(voxels, voxels.dynamicList(), *walls_, all);
+    }
     walls_->bind(VCT_TEX_WALLS);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
-                           std::uint32_t cascades) const {
+                           const ArrivedVoxels& arrived) const {
     markWalls_.use();
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
-    gl::Uniform1ui(VCT_UNIFORM_CASCADES, cascades);
+    setArrived(arrived, voxels.cascades());
     words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
@@ -520,13 +542,12 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll, const CascadeShifts& paths) const {
+void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll,
+                           const ArrivedVoxels& arrived) const {
     if (!linksAll) {
         voxels.index().emptyFaceList(VCT_LIST_VISITED);
         listUnlinked_->use();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(voxels.cascades()); ++i)
-            gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i),
-                           shared::packShift(glm::min(paths.at(i), voxels.grid())));
+        setArrived(arrived, voxels.cascades());
         voxels.index().dispatchOverFaces(0);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                           GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -23,6 +23,15 @@ gl::ProgramDescription raysProgram(const std::string& name, const GatherSettings
                                    const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const LightFeatures& sources);
 
+// The voxels that have come into the cascades along their lower and upper sides, for each axis.
+struct ArrivedVoxels {
+    CascadeShifts lower{}, upper{};
+
+    void add(const CascadeShifts& moves);
+    void addAll(int grid);
+    bool any() const { return lower != CascadeShifts{} || upper != CascadeShifts{}; }
+};
+
 class Irradiance {
   public:
     // `lightFrames`: as in LightSchedule. `hasObjects`: objects may block the rays of static faces.
@@ -124,17 +133,19 @@ class Irradiance {
     void forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved);
     // Lists the static faces that the next steps visit.
     void listVisited(const DirectionalVoxels& voxels) const;
-    // Places the bricks of some cascades. `moved`: the cascades whose static walls have changed. A bit each.
-    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed, std::uint32_t moved) const;
+    // Places the bricks of some cascades, a bit each, and marks the static walls beside voxels that have come
+    // in.
+    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed,
+                     const ArrivedVoxels& arrived) const;
     // Fills the bricks with the faces of some cascades, of all faces or of those that the step visits.
     void fillFrom(const DirectionalVoxels& voxels, std::uint32_t cascades, bool visitsAll) const;
-    // Marks the walls of a list's faces in a texture of their words.
+    // Marks the walls of a list's faces in a texture of their words, beside voxels that have come in.
     void markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
-                   std::uint32_t cascades) const;
+                   const ArrivedVoxels& arrived) const;
 
-    // Links faces to those beside them: all faces, or static ones that have others around them since cascades
-    // have moved. `paths`: the voxels that they have moved by along each axis.
-    void linkFaces(const DirectionalVoxels& voxels, bool linksAll, const CascadeShifts& paths) const;
+    // Links faces to those beside them: all faces, or static ones that have others around them since voxels
+    // have come in.
+    void linkFaces(const DirectionalVoxels& voxels, bool linksAll, const ArrivedVoxels& arrived) const;
 
     GatherSettings settings_;
     int lightFrames_;
@@ -142,7 +153,7 @@ class Irradiance {
     LightSchedule schedule_;
     LightPlan plan_;
     LightSchedule::Change pending_;        // changes that no step has taken into account yet
-    CascadeShifts pendingPaths_{};         // the lengths of the cascades' moves among them, along each axis
+    ArrivedVoxels pendingVoxels_;          // the voxels that cascades have reached by them
     std::uint32_t forwardedCascades_ = 0;  // the cascades whose lost hits forward_hits replaces, a bit each,
     std::uint32_t forwardTurns_ = 0;       // in so many steps from now on
     gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
