@@ -77,7 +77,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             if (features.movingObjects || settings.revoxelize || settings.cascades > 1)
                 addRays({"carry_over", "carry_hits"});
             if (settings.cascades > 1) addRays({"forward_hits", "list_visited"});
-            if (settings.cascades > 1) add(Step::irradiance, lightProgram("list_unlinked", lights));
+            if (settings.cascades > 1) add(Step::irradiance, lightProgram("list_arrived", lights));
             if (features.movingObjects) addRays({"block_rays"});
         }
     } else if (read.voxels) {

@@ -32,15 +32,13 @@ bool isNearArrived(ivec3 place, int size, uvec2 arrived, int reach) {
     int side = frame.gridSide / size;
     ivec3 above = place - firstOfCascade(place, side), below = side - 1 - above;
     ivec3 lower = unpackShift(arrived.x) / size, upper = unpackShift(arrived.y) / size;
-    for (int axis = 0; axis < 3; ++axis)
-        if (lower[axis] + upper[axis] > 0 &&
-            (above[axis] < lower[axis] + reach || below[axis] < upper[axis] + reach))
-            return true;
-    return false;
+    bvec3 moved = greaterThan(lower + upper, ivec3(0));
+    bvec3 isNear = greaterThan(max(lower - above, upper - below), ivec3(-reach));
+    return moved.x && isNear.x || moved.y && isNear.y || moved.z && isNear.z;
 }
 
-// Where the static walls of a block are stored. The places wrap around along each axis, so that blocks keep
-// theirs while a cascade moves.
+// The place at which the static walls of a block are stored. Places wrap around along each axis, so that
+// blocks keep theirs while a cascade moves.
 ivec3 wrappedBlock(ivec3 block) {
     if (cascades == 1) return block;
     int side = frame.gridSide >> VCT_BRICK_LEVEL;

@@ -7,7 +7,7 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade
-layout(location = VCT_UNIFORM_TURNS) uniform uint turns;     // 1: all faces
+layout(location = VCT_UNIFORM_TURNS) uniform uint turns;     // that come in this dispatch
 
 // True if the static face that a ray has hit is gone. One bit tells it, so that a cache holds those of all
 // faces.
@@ -25,11 +25,12 @@ uint hitInstead(uint hit) {
 
 void main() {
     const uint size = uint(VCT_LIST_GROUP);
-    uint count = faceCount(0u), turn = lightStep.frame % turns;
-    for (uint group = gl_WorkGroupID.x * turns + turn; group * size < count;
-         group += gl_NumWorkGroups.x * turns) {
-        uint id = group * size + gl_LocalInvocationIndex;
-        if (id >= count) break;
+    uint count = faceCount(0u), groups = (count + size - 1u) / size;
+    uint parts = (groups + VCT_FORWARD_TURNS - 1u) / VCT_FORWARD_TURNS * turns;
+    for (uint i = gl_WorkGroupID.x; i < parts; i += gl_NumWorkGroups.x) {
+        uint turn = (lightStep.frame + i % turns) % VCT_FORWARD_TURNS;
+        uint id = (i / turns * VCT_FORWARD_TURNS + turn) * size + gl_LocalInvocationIndex;
+        if (id >= count) continue;
         ListedFace listed = baseFace(id);
         // A ray does not meet cascades that are finer than that of its face. New faces have no hits.
         if (listed.isMerged || cascadeOf(listed.voxel) > findMSB(moved) || isFresh(id)) continue;

@@ -1,6 +1,6 @@
 // Finds which faces beside each face are of the same surface and of the same side of all walls, so that the
 // smoothing may take the mean over them (directional/beside_faces.glsl). It runs when an object has moved,
-// or, for the faces of list_unlinked.comp, a cascade.
+// or, for the faces of list_arrived.comp, a cascade.
 #include "directional/rows.glsl"
 #include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"

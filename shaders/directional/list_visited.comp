@@ -9,10 +9,12 @@ void main() {
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
-        // All faces have light now. The first of the ids that share a word clears it.
+        // All faces have light now, and no hit is of a face whose id another one has got. The first of the
+        // ids that share a word clears it.
         if ((id & 31u) == 0u) {
+            uint fresh = faceData[freshAt(id)];
             faceData[freshAt(id)] = 0u;
-            if (turnsLeft == 0u) faceData[goneAt(id)] = 0u;
+            faceData[goneAt(id)] = turnsLeft == 0u ? 0u : faceData[goneAt(id)] & ~fresh;
         }
         uint changed = faceIrradianceData[changedAt(id)];
         if (changed == 0u || changed < lightStep.visitsSince || baseFace(id).isMerged) continue;

@@ -1,9 +1,9 @@
 // Finds the thin walls that cross a floor, a ceiling or another wall, and writes them into the words of the
 // bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay
-// while a cascade moves, so that those are marked that may cross faces of new voxels; walls of dynamic
+// while a cascade moves, so that those near new voxels are marked (list_arrived.comp); walls of dynamic
 // objects are added to the bricks.
 #include "directional/cascades.glsl"
-#include "directional/face_lists.glsl"
+#include "directional/visited.glsl"
 #include "directional/voxels.glsl"
 #include "directional/walls.glsl"
 
@@ -13,7 +13,6 @@ layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) coherent uniform highp uimage3D brickSlots;
 layout(r32ui, binding = VCT_IMAGE_WALLS) coherent uniform highp uimage3D walls;  // static or of the bricks
 layout(location = VCT_UNIFORM_LEVEL) uniform uint list;  // the list of the walls' faces
-layout(location = VCT_UNIFORM_ARRIVED) uniform uvec2 arrived[VCT_MAX_CASCADES];  // isNearArrived()
 
 struct Cells {
     uint still;
@@ -135,16 +134,14 @@ bool findCrossed(inout ivec3 voxel, int face, vec3 normal, ivec3 near) {
 }
 
 void main() {
-    uint count = faceCount(list);
+    uint count = list == 0u ? visitedFaceCount() : faceCount(list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        ListedFace listed = listedFace(list, i);
+        uint id = list == 0u ? visitedFaceId(i) : commands[list].firstId + i;
+        ListedFace listed = baseFace(id);
+        if (list == 0u && (listed.isMerged || id >= commands[0].faceCapacity)) continue;
         // A wall has two faces, and is found from the one that looks along its axis.
-        if (list == 0u && listed.isMerged) continue;
-        const int reach = 8;  // from a wall to the bricks in which it is marked, in voxels
-        if ((listed.face & 1) != 0 ||
-            !isNearArrived(listed.voxel, 1, arrived[cascadeOf(listed.voxel)], reach))
-            continue;
+        if ((listed.face & 1) != 0) continue;
         const float minCoverage = 0.25, minCosine = 0.4;
         int axis = listed.face >> 1;
         Cells cells = cellsAt(listed.voxel, listed.voxel);

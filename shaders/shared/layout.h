@@ -121,7 +121,7 @@ using glm::vec4;
 #define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
 #define VCT_UNIFORM_ARRIVED 3           // packShift(): voxels that have come into each cascade, on both sides
-#define VCT_UNIFORM_TURNS 1             // number of parts of the faces that take turns
+#define VCT_UNIFORM_TURNS 1             // turns of forward_hits.comp, in this dispatch or left
 #define VCT_UNIFORM_VISITS_ALL 9        // 1: the pass visits all faces; 0: those of VCT_LIST_VISITED
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
@@ -157,6 +157,7 @@ using glm::vec4;
 #define VCT_SHADOW_TILES 4             // 2 x 2 maps in the sun's shadow map, only with cascades
 #define VCT_SHADOW_TILE_MARGIN 0.0625  // share of a tile along each of its sides where no receiver is
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
+#define VCT_FORWARD_TURNS 8u           // steps in which forward_hits.comp visits all faces
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
 // Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which

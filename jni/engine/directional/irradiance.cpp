@@ -114,7 +114,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     }
     if (hasCascades) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
-    if (hasCascades) listUnlinked_.emplace(shaders, lightProgram("list_unlinked", sources));
+    if (hasCascades) listArrived_.emplace(shaders, lightProgram("list_arrived", sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block_rays", settings, sources));
     if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
@@ -177,9 +177,12 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
         const bool isNew =
             std::exchange(marksAllWalls_, false) || change.voxelized == DirectionalVoxels::allCascades;
-        if (isNew) arrived.addAll(voxels.grid());
-        placeBricks(voxels, placed, arrived);
-        linkFaces(voxels, isNew || voxels.hasDynamicObjects(), arrived);
+        if (isNew)
+            arrived.addAll(voxels.grid());
+        else if (arrived.any())
+            listArrived(voxels, arrived);
+        placeBricks(voxels, placed, arrived, isNew);
+        linkFaces(voxels, isNew || voxels.hasDynamicObjects());
         if (isFirst) {
             // The bricks are counted by placing them.
             onBricksPlaced(voxels.index().readCommands());
@@ -187,7 +190,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
             uploadUniforms(objects, allBounces);
             bind(voxels);
             if (std::exchange(unplacedCascades_, 0) != 0)
-                placeBricks(voxels, DirectionalVoxels::allCascades, {});
+                placeBricks(voxels, DirectionalVoxels::allCascades, {}, true);
         }
         placedCascades_ |= placed;
     }
@@ -243,14 +246,14 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
 }
 
 void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved) {
-    // Another move uses the ids of faces that the last one has left, so all turns that are left come now.
-    constexpr std::uint32_t turns = 8;
-    const bool endsTurns = moved != 0 && forwardTurns_ > 0;
+    // Another move uses the ids of faces that the last one has left, so all turns that are left come now, and
+    // then its own.
+    const std::uint32_t turns = moved != 0 ? std::max(forwardTurns_, 1U) : 1;
     forwardedCascades_ |= moved;
-    forwardTurns_ = endsTurns ? 1 : moved != 0 ? turns : forwardTurns_;
+    if (moved != 0) forwardTurns_ = VCT_FORWARD_TURNS;
     forwardHits_->use();
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, forwardedCascades_);
-    gl::Uniform1ui(VCT_UNIFORM_TURNS, endsTurns ? 1 : turns);
+    gl::Uniform1ui(VCT_UNIFORM_TURNS, turns);
     runOverAll(*forwardHits_, voxels);
     if (--forwardTurns_ == 0) forwardedCascades_ = 0;
 }
@@ -501,7 +504,7 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
 }
 
 void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed,
-                             const ArrivedVoxels& arrived) const {
+                             const ArrivedVoxels& arrived, bool marksAll) const {
     clearBricks_.use();
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
     staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
@@ -511,7 +514,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t plac
     gl::DispatchCompute(groups.x, groups.y, groups.z);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
-    if (arrived.any()) markWalls(voxels, 0, *staticWalls_, arrived);
+    if (arrived.any()) markWalls(voxels, 0, *staticWalls_, marksAll);
     placeBricks_.use();
     staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
@@ -520,38 +523,33 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t plac
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    if (voxels.hasDynamicObjects()) {
-        ArrivedVoxels all;
-        all.addAll(voxels.grid());
-        markWalls(voxels, voxels.dynamicList(), *walls_, all);
-    }
+    if (voxels.hasDynamicObjects()) markWalls(voxels, voxels.dynamicList(), *walls_, true);
     walls_->bind(VCT_TEX_WALLS);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
-                           const ArrivedVoxels& arrived) const {
+                           bool marksAll) const {
     markWalls_.use();
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
-    setArrived(arrived, voxels.cascades());
+    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, marksAll ? 1 : 0);
     words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    voxels.index().dispatchOverFaces(0);
+    voxels.index().dispatchOverFaces(marksAll ? 0 : VCT_LIST_VISITED);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll,
-                           const ArrivedVoxels& arrived) const {
-    if (!linksAll) {
-        voxels.index().emptyFaceList(VCT_LIST_VISITED);
-        listUnlinked_->use();
-        setArrived(arrived, voxels.cascades());
-        voxels.index().dispatchOverFaces(0);
-        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                          GL_BUFFER_UPDATE_BARRIER_BIT);
-    }
+void Irradiance::listArrived(const DirectionalVoxels& voxels, const ArrivedVoxels& arrived) const {
+    voxels.index().emptyFaceList(VCT_LIST_VISITED);
+    listArrived_->use();
+    setArrived(arrived, voxels.cascades());
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll) const {
     linkFaces_.use();
     if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, linksAll ? 1 : 0);
     voxels.bindForRays();

@@ -134,18 +134,18 @@ class Irradiance {
     // Lists the static faces that the next steps visit.
     void listVisited(const DirectionalVoxels& voxels) const;
     // Places the bricks of some cascades, a bit each, and marks the static walls beside voxels that have come
-    // in.
-    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed,
-                     const ArrivedVoxels& arrived) const;
+    // in. `marksAll`: all walls, or those of the faces of listArrived().
+    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed, const ArrivedVoxels& arrived,
+                     bool marksAll) const;
     // Fills the bricks with the faces of some cascades, of all faces or of those that the step visits.
     void fillFrom(const DirectionalVoxels& voxels, std::uint32_t cascades, bool visitsAll) const;
-    // Marks the walls of a list's faces in a texture of their words, beside voxels that have come in.
+    // Marks the walls of a list's faces in a texture of their words.
     void markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
-                   const ArrivedVoxels& arrived) const;
-
-    // Links faces to those beside them: all faces, or static ones that have others around them since voxels
-    // have come in.
-    void linkFaces(const DirectionalVoxels& voxels, bool linksAll, const ArrivedVoxels& arrived) const;
+                   bool marksAll) const;
+    // Lists the static faces that have others around them since voxels have come in.
+    void listArrived(const DirectionalVoxels& voxels, const ArrivedVoxels& arrived) const;
+    // Links faces to those beside them: all faces, or those of listArrived().
+    void linkFaces(const DirectionalVoxels& voxels, bool linksAll) const;
 
     GatherSettings settings_;
     int lightFrames_;
@@ -159,8 +159,8 @@ class Irradiance {
     gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
         smoothRows_, smooth_, fillBricks_;
     std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
-    std::optional<gl::Program> forwardHits_, listVisited_, listUnlinked_;  // only with cascades
-    std::optional<gl::Program> block_;                                     // only with moving objects
+    std::optional<gl::Program> forwardHits_, listVisited_, listArrived_;  // only with cascades
+    std::optional<gl::Program> block_;                                    // only with moving objects
     std::optional<gl::Program> findEmitters_;  // only if the scene has compact emitters
     bool emitters_;
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
