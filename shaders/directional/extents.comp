@@ -3,35 +3,14 @@
 // other faces it reads only what it leaves as it is, so the order of the faces does not matter.
 #include "directional/resolved.glsl"
 
-// Points of a plane in the voxel, on a grid of 4 x 4 across the face; a bit for each.
-const int side = 4;
-vec2 pointAcross(int i) {
-    return (vec2(i % side, i / side) + 0.5) / float(side) - 0.5;
-}
-
-float coverageOf(uint points) {
-    return float(bitCount(points)) / float(side * side);
-}
-
-// The points of a plane that are inside of the voxel.
-uint pointsInside(SurfacePlane plane, int axis) {
-    uint points = 0u;
-    for (int i = 0; i < side * side; ++i) {
-        vec2 place = pointAcross(i);
-        float along = (plane.offset - dot(acrossFaces(plane.normal, axis), place)) / plane.normal[axis];
-        if (abs(along) <= 0.5) points |= 1u << uint(i);
-    }
-    return points;
-}
-// The points of a set that are in front of another plane.
-uint pointsInFront(SurfacePlane plane, int axis, uint points, SurfacePlane other) {
-    uint inFront = 0u;
-    for (uint left = points; left != 0u; left &= left - 1u) {
-        int i = findLSB(left);
-        if (dot(pointOnPlane(plane, axis, pointAcross(i)), other.normal) > other.offset)
-            inFront |= 1u << uint(i);
-    }
-    return inFront;
+// The place across the face nearest to `place` at which a plane is inside of the voxel. Other surfaces of the
+// face may have moved `place`, which is the mean over all of them.
+vec2 placeInside(SurfacePlane plane, int axis, vec2 place) {
+    vec2 across = acrossFaces(plane.normal, axis);
+    float along = (plane.offset - dot(across, place)) / plane.normal[axis];
+    float beyond = along - clamp(along, -0.5, 0.5);
+    vec2 inside = place + across * (beyond * plane.normal[axis] / max(dot(across, across), 1e-4));
+    return clamp(inside, -0.5, 0.5);
 }
 
 // The face of a voxel that a surface mostly looks towards.
@@ -55,11 +34,12 @@ struct Covered {
     float coverage;
     vec2 place;
 };
-Covered coveredPart(ResolvedFace own, int face) {
+Covered coveredPart(ResolvedFace own, int face, SurfacePlane plane) {
     vec3 sum = vec3(0.0);
     if (hasFace(own.staticCell, face)) sum = coverageAndPlace(faceId(own.staticCell, face));
     if (hasFace(movingCell(own), face)) sum += coverageAndPlace(faceId(own.dynamicCell, face));
-    return Covered(min(sum.x, 1.0), sum.yz / max(sum.x, 1e-4) - 0.5);
+    vec2 place = sum.yz / max(sum.x, 1e-4) - 0.5;
+    return Covered(min(sum.x, 1.0), placeInside(plane, face >> 1, place));
 }
 
 // The face of a thin wall behind which a surface goes on, and the points of the surface in front of it.
@@ -132,7 +112,7 @@ void main() {
         uint at = faceAt(id);
         int axis = own.face >> 1;
         SurfacePlane plane = facePlane(id);
-        Covered part = coveredPart(own, own.face);
+        Covered part = coveredPart(own, own.face, plane);
         FaceExtent extent = FaceExtent(part.coverage, faceExtent(id).isCurved, part.place, 0u, 0u);
         vec3 middle = pointOnPlane(plane, axis, part.place);
         // Coverage has steps of 1/16. They are exact where the surface looks along the axis.
@@ -151,7 +131,7 @@ void main() {
                 // A surface ends at that one of a thin wall's two planes which it makes an edge with: each is
                 // in front of the other, or each is behind it. The inside of a box does not end its outside.
                 if (hasFace(cells, face ^ 1)) {
-                    vec3 otherMiddle = pointOnPlane(other, face >> 1, coveredPart(own, face).place);
+                    vec3 otherMiddle = pointOnPlane(other, face >> 1, coveredPart(own, face, other).place);
                     if (isInFront != (dot(otherMiddle, plane.normal) > plane.offset)) continue;
                 }
                 uint inFront = pointsInFront(plane, axis, points, other);

@@ -4,6 +4,7 @@
 // until extents.comp has run.
 #include "shared/frame.glsl"
 #include "directional/face_words.glsl"
+#include "directional/plane_points.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
     uint faceSumData[];
@@ -105,20 +106,26 @@ vec3 visibleAlbedo(FaceSums sums) {
 
 // True if two flat surfaces that look different ways share a face, and the foremost one hides the other. They
 // are the outside of one wall and the inside of the next, along the edge of a box that is turned, and cover
-// less of the face than a surface that goes on, as a ceiling above a wall.
-bool hidesInside(FaceSums sums) {
+// less of the face than a surface that goes on, as a ceiling above a wall. In a crease of a room, neither
+// hides the other: the surface that is not the foremost one ends in front of that, and not behind it, which
+// changes how much of the face the two cover.
+bool hidesInside(FaceSums sums, int axis) {
     const float sameWay = 0.5, goesOn = 0.7;
     SurfacePlane plane = unpackPlane(sums.plane), front = unpackPlane(sums.front);
     float cosine = dot(plane.normal, front.normal);
-    return !isCurved(sums.plane) && cosine < sameWay && sums.coverage < goesOn &&
-           plane.offset * cosine < front.offset;
+    if (isCurved(sums.plane) || cosine > sameWay || sums.coverage > goesOn ||
+        plane.offset * cosine > front.offset)
+        return false;
+    uint points = pointsInside(plane, axis), inFront = pointsInFront(plane, axis, points, front);
+    float other = sums.coverage - coverageOf(pointsInFront(front, axis, pointsInside(front, axis), plane));
+    return abs(other - coverageOf(points & ~inFront)) < abs(other - coverageOf(inFront));
 }
 
 // The plane of the surface that is seen from the face's side, as packPlane() packs it. Of several layers, or
 // if it hides the inside of a box, this is the foremost one. A curved surface has the mean of its normals,
 // through its middle.
 uint visiblePlane(FaceSums sums, int face) {
-    uint found = hasLayers(sums) || hidesInside(sums) ? sums.front : sums.plane;
+    uint found = hasLayers(sums) || hidesInside(sums, face >> 1) ? sums.front : sums.plane;
     if (!isCurved(found) || hasLayers(sums) || sums.curve.x < 0.5 * sums.coverage) return found;
     int axis = face >> 1;
     vec3 mean = sums.curve.yzw / sums.curve.x;

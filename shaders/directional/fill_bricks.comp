@@ -46,7 +46,9 @@ void main() {
             showsVisibility != 0u ? shown.aaa : min(shown.rgb + emitterIrradiance(id), maxStoredLight);
         // The planes of thin round bodies may be inside of them by rounding, so these count.
         FaceExtent extent = faceExtent(id);
-        float weight = isHidden(id) && !extent.isCurved ? 0.0 : extent.coverage;
+        float along = facePlane(id).normal[listed.face >> 1];
+        bool looksPast = along * along < hardlyTowards;
+        float weight = (isHidden(id) || looksPast) && !extent.isCurved ? 0.0 : extent.coverage;
         storeInBricks(listed, vec4(light, 1.0) * weight);
     }
 }

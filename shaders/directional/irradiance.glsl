@@ -13,6 +13,10 @@ layout(binding = VCT_TEX_IRRADIANCE) uniform mediump sampler3D irradiance;
 layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(); 0: no brick
 layout(binding = VCT_TEX_WALLS) uniform highp usampler3D walls;    // thin walls across bricks
 
+// The square of a normal's component along an axis whose faces the surface hardly looks towards. Few of these
+// are its own, and beside a wall they would be the wall's, of either side.
+const float hardlyTowards = 0.15;
+
 // The brick of a block's face.
 uint brickAt(ivec3 block, int axis, int side) {
     return texelFetch(bricks, faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL), 0).r;
@@ -42,31 +46,23 @@ mediump vec4 irradianceInBrick(uint brick, vec3 across) {
 }
 
 // The filtered content of the brick of a block's face at a position of a surface with this normal. If
-// `hasSides`, a position beside a thin wall takes its own side.
-mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, vec3 normal, bool hasSides) {
+// `hasSides`, a position beside a thin wall takes its own side. `hasWalls` becomes true if there is a wall.
+mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, vec3 normal, bool hasSides,
+                               inout bool hasWalls) {
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     ivec3 texel = faceTexel(block, axis, side, blocks);
     uint brick = texelFetch(bricks, texel, 0).r;
     vec3 position = vec3(acrossFaces(inBrick, axis), inBrick[axis]), moved = position;
     vec3 normalAcross = vec3(acrossFaces(normal, axis), normal[axis]);
-    bool hasWalls = hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u;
-    for (int i = hasWalls ? 0 : 2; i < 2; ++i) {
+    bool isBesideWall = hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u;
+    hasWalls = hasWalls || isBesideWall;
+    for (int i = isBesideWall ? 0 : 2; i < 2; ++i) {
         uint word = texelFetch(walls, wallTexel(texel, i, blocks * cascades), 0).r;
         moved = besideWall(word, position, moved, normalAcross).yxz;
         position = position.yxz;
         normalAcross = normalAcross.yxz;
     }
-    // Faces that the surface hardly looks towards are few, and beside a wall most of them may be of the other
-    // side.
-    const float minWeight = 0.15;
-    return hasWalls && normalAcross.z * normalAcross.z < minWeight ? vec4(0.0)
-                                                                   : irradianceInBrick(brick, moved);
-}
-
-// Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
-// side of an axis. `block`: the block of the position, or one at most half a voxel away.
-mediump vec4 irradianceOfFaces(vec3 position, vec3 normal, ivec3 block, int axis, int side) {
-    return irradianceOfBlock(block, axis, side, positionInBrick(position, block), normal, true);
+    return irradianceInBrick(brick, moved);
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
@@ -100,16 +96,20 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
     vec3 inBrick = positionInBrick(position, block);
     int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
     float instead = 0.0;  // replaces the normal's component along the axis, if not 0
-    mediump vec4 sum = vec4(0.0);
+    mediump vec4 sum = vec4(0.0), surplus = vec4(0.0);  // surplus: not counted beside walls
+    bool hasWalls = false;
     for (uint i = 0u;; ++i) {
         do {
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight * irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, normal,
-                                              i == 0u || i > borderTries);
+            mediump vec4 found = irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, normal,
+                                                   i == 0u || i > borderTries, hasWalls);
+            sum += weight * found;
+            surplus += min(weight, hardlyTowards) * found;
         } while (axes > 0);
+        if (i == 0u && hasWalls) sum -= surplus;
         // The 48 fetches of a block belong together.
         bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;
         if (i == tries || whole && sum.a >= (inBlocks ? otherSide * minCoverage : minCoverage)) break;

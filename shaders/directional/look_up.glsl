@@ -64,11 +64,16 @@ vec3 irradianceInAir(vec3 position, vec3 normal, int cascade) {
 vec4 irradianceOnSurface(vec3 position, vec3 normal, int cascade) {
     vec3 voxel = voxelsFromVolume(position, cascade);
     ivec3 block = ivec3(voxel) >> VCT_BRICK_LEVEL;
-    vec4 sum = vec4(0.0);
-    for (int axis = 0; axis < 3; ++axis)
-        sum += normal[axis] * normal[axis] *
-               irradianceOfFaces(voxel, normal, block, axis, normal[axis] > 0.0 ? 0 : 1);
-    return sum;
+    vec4 sum = vec4(0.0), surplus = vec4(0.0);
+    bool hasWalls = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        float weight = normal[axis] * normal[axis];
+        vec4 found = irradianceOfBlock(block, axis, normal[axis] > 0.0 ? 0 : 1, positionInBrick(voxel, block),
+                                       normal, true, hasWalls);
+        sum += weight * found;
+        surplus += min(weight, hardlyTowards) * found;
+    }
+    return hasWalls ? sum - surplus : sum;
 }
 
 // Irradiance relative to E by one cascade. It is the stored one where a surface that faces the normal's side

@@ -70,21 +70,15 @@ void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle,
     float steepness = 1.0 / middle.normal[axis];
     vec2 slope = -steepness * vec2(middle.normal[other], middle.normal[faceAxis]);
     // A texel whose middle is in the wall is of neither side. If one side of the wall looks the way of the
-    // faces, it has the faces of all voxels which the wall surely passes (splitByWall() in
+    // faces, it may have the faces of all voxels which the wall passes (splitByWall() in
     // directional/extents.comp).
-    const float rounding = 0.1, surely = 0.25, perpendicular = 0.15;
+    const float rounding = 0.1, perpendicular = 0.15;
     float inWall = 0.5 * thickness * steepness;
     float lean = (face & 1) == 0 ? middle.normal[faceAxis] : -middle.normal[faceAxis];
     float passed = inWall + 0.5 + 0.5 * (abs(slope.x) + abs(slope.y));
     float beside = inWall + rounding + 0.5 * abs(slope.x);
-    ThinWall wall = ThinWall(0.0,
-                             lean > perpendicular    ? surely - passed
-                             : lean < -perpendicular ? passed
-                                                     : beside,
-                             lean > perpendicular    ? passed
-                             : lean < -perpendicular ? surely - passed
-                                                     : beside,
-                             slope);
+    ThinWall wall =
+        ThinWall(0.0, lean < -perpendicular ? passed : beside, lean > perpendicular ? passed : beside, slope);
     vec3 wallMiddle = vec3(wallVoxel) + 0.5;
     float position = wallMiddle[axis] + steepness * middle.offset;  // at the middle of the wall's voxel
     ivec3 own = voxel >> VCT_BRICK_LEVEL;

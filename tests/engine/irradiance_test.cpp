@@ -287,10 +287,10 @@ TEST(Gather, NoLightLeavesAClosedBox) {
 TEST(Gather, NoLightPassesAThinWall) {
     const Context context = openContext(Backend::egl);
     const double voxel = 2.0 / 60.0;
-    const auto lightOfHalf = [&](double inVoxel, double angleDeg, double side) {
+    const auto lightOfHalf = [&](double thickness, double inVoxel, double angleDeg, double side) {
         const double wallX = (4.0 + inVoxel) * voxel;
         Scene scene = closedBox(0.0);
-        addBox(scene, {0.3 * voxel, 2, 2}, {wallX, 0, 0});
+        addBox(scene, {thickness * voxel, 2, 2}, {wallX, 0, 0});
         addQuad(scene, {0.99, -0.5, -0.5}, {0, 0, 1}, {0, 1, 0}, addEmitter(scene));
         const glm::dmat4 turn = turnScene(scene, angleDeg);
         const auto turned = [&](const glm::dvec3& p) { return glm::dvec3(turn * glm::dvec4(p, 1.0)); };
@@ -300,17 +300,24 @@ TEST(Gather, NoLightPassesAThinWall) {
         Spread light;
         for (const auto& [surface, irradiance] : frame.seen(Output::irradiance)) {
             const double x = (glm::inverse(turn) * glm::dvec4(surface.positionWorld, 1.0)).x;
-            if (std::abs(x - wallX) > 0.25 * voxel) light.add(irradiance.x);
+            if (std::abs(x - wallX) > (0.5 * thickness + 0.1) * voxel) light.add(irradiance.x);
         }
         EXPECT_GT(light.count, 1000);
         return light.mean;
     };
-    const double lit = lightOfHalf(0.5, 0.0, 1.0);
+    const double lit = lightOfHalf(0.3, 0.5, 0.0, 1.0);
     ASSERT_GT(lit, 0.5);
     for (const double inVoxel : {0.0, 0.2, 0.4, 0.6, 0.8})
-        EXPECT_LE(lightOfHalf(inVoxel, 0.0, -1.0), 0.0001 * lit) << inVoxel;
-    for (const auto& [angleDeg, bound] : {std::pair{15.0, 0.002}, {30.0, 0.0026}, {45.0, 0.0075}})
-        EXPECT_LE(lightOfHalf(0.5, angleDeg, -1.0), bound * lit) << angleDeg;
+        EXPECT_LE(lightOfHalf(0.3, inVoxel, 0.0, -1.0), 0.0001 * lit) << inVoxel;
+    struct Turned {
+        double angleDeg, ofThin, ofThick;  // bounds for walls of .3 and .7 voxels
+    };
+    for (const auto& [angleDeg, ofThin, ofThick] :
+         {Turned{-20, 0.0003, 0.0028}, Turned{-9, 0.0001, 0.0004}, Turned{9, 0.0001, 0.0016},
+          Turned{15, 0.0006, 0.0014}, Turned{30, 0.0014, 0.0009}, Turned{45, 0.0088, 0.0072}}) {
+        EXPECT_LE(lightOfHalf(0.3, 0.5, angleDeg, -1.0), ofThin * lit) << angleDeg;
+        EXPECT_LE(lightOfHalf(0.7, 0.5, angleDeg, -1.0), ofThick * lit) << angleDeg;
+    }
 }
 
 // A bar on the dark side of a thin wall, so thin that the voxels miss it. In the blocks around, the only
