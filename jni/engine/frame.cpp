@@ -104,4 +104,11 @@ void Renderer::render(const RenderRequest& request) {
     lastFrameFailed_ = false;
 }
 
+void Renderer::prepareVoxels(const Camera& camera) {
+    cascades_.follow(eyeInVolume(camera, volume_));
+    uploadFrameUniforms(camera, voxelizedCascades_);
+    voxels().prepare(scene_, cascades_);
+    voxelizedCascades_ = cascades_;
+}
+
 }  // namespace vct

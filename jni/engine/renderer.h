@@ -72,6 +72,10 @@ class Renderer {
     // everything.
     void render(const RenderRequest& request);
 
+    // Voxelizes the static geometry around the camera now. Otherwise the first frame that reads voxels does
+    // it, and takes longer.
+    void prepareVoxels(const Camera& camera);
+
     // Changes the size of the outputs, in pixels. Shadow maps, voxels and their light are kept. Throws
     // vct::Error if the size is out of range.
     void resize(glm::ivec2 size);

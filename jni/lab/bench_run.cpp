@@ -167,6 +167,9 @@ bool BenchRun::advance() {
     try {
         if (!renderer_) {
             if (!linkNext() && !useNext()) beginRun();
+        } else if (!isPrepared_) {
+            renderer_->prepareVoxels(camera_);
+            isPrepared_ = true;
         } else if (mode_ == modes_.size()) {
             endRun();
         } else {
@@ -220,6 +223,7 @@ void BenchRun::beginRun() {
     const Settings settings = settingsFor(config());
     renderer_.emplace(*input_.scene, input_.light, settings, input_.capabilities, input_.shaders,
                       input_.programs);
+    isPrepared_ = false;
     modes_ = modesFromText(config().modes);
     mode_ = 0;
     frame_ = 0;

@@ -116,6 +116,7 @@ class BenchRun {
     std::size_t mode_ = 0;
     int frame_ = 0;  // number of the current frame in its mode
     std::optional<Renderer> renderer_;
+    bool isPrepared_ = false;                          // renderer_ has voxelized the static geometry
     std::optional<Renderer> small_;                    // of useNext()
     std::size_t smallFrames_ = 0;                      // that it has rendered
     std::size_t usedRuns_ = 0;                         // runs whose programs were all used
