@@ -16,20 +16,20 @@ namespace vct::gl {
 // clang-format off
 #define VCT_GL_FUNCTIONS(X)                                                                                \
     X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange)      \
-    X(BindFramebuffer) X(BindImageTexture) X(BindSampler) X(BindTexture) X(BindVertexArray)                \
+    X(BindFramebuffer) X(BindImageTexture) X(BindRenderbuffer) X(BindSampler) X(BindTexture) X(BindVertexArray)                \
     X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) \
     X(ClearBufferfv) X(ClearBufferuiv) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
-    X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries)   \
+    X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteRenderbuffers) \
     X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
     X(DepthRangef) X(GetBufferParameteriv) X(GetFloatv) X(GetTexLevelParameteriv)                                                  \
     X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawBuffers) X(DrawElements)  \
     X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                    \
-    X(FenceSync) X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
-    X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays)    \
+    X(FenceSync) X(FramebufferParameteri) X(FramebufferRenderbuffer) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
+    X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenRenderbuffers) X(GenSamplers) X(GenTextures) X(GenVertexArrays)    \
     X(GetError) X(GetInteger64i_v) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramBinary) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \
     X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                     \
     X(GetUniformLocation) X(InvalidateFramebuffer) X(IsBuffer) X(IsTexture) X(LinkProgram) X(MapBufferRange) X(MemoryBarrier)       \
-    X(PixelStorei) X(ProgramBinary) X(ProgramParameteri) X(ReadBuffer) X(ReadPixels) X(ReleaseShaderCompiler) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
+    X(PixelStorei) X(ProgramBinary) X(ProgramParameteri) X(ReadBuffer) X(ReadPixels) X(ReleaseShaderCompiler) X(RenderbufferStorageMultisample) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
     X(TexParameteri) X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1ui) X(Uniform2ui) \
     X(Uniform4f) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)               \
     X(VertexAttribPointer) X(Viewport)

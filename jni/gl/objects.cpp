@@ -251,12 +251,29 @@ Framebuffer::~Framebuffer() {
 Framebuffer::Framebuffer(const std::string& label, int width, int height, int samples)
     : width_(width), height_(height) {
     create(label);
-    FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
-    FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
-    if (samples > 1) FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_SAMPLES, samples);
-    const GLenum none = GL_NONE;
-    DrawBuffers(1, &none);
+    if (samples == 1) {
+        FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+        FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+        const GLenum none = GL_NONE;
+        DrawBuffers(1, &none);
+        check(label);
+        return;
+    }
+    // ANGLE takes one sample per pixel without a target that is drawn to, whatever
+    // GL_FRAMEBUFFER_DEFAULT_SAMPLES says.
+    GLint bound = 0;
+    GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+    samples_ = Handle<&DeleteRenderbuffers>(generate(GenRenderbuffers));
+    BindRenderbuffer(GL_RENDERBUFFER, samples_.get());
+    RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_R8, width, height);
+    BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+    attachments_ = {{GL_COLOR_ATTACHMENT0, Attachment::Kind::unused}};
+    const auto attach = [&] {
+        FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_.get());
+    };
+    attach();
     check(label);
+    attach();  // see above
 }
 
 Framebuffer::Framebuffer(const std::string& label, const Texture& depths, GLint layer)

@@ -136,20 +136,20 @@ class VertexArray {
     Handle<&DeleteVertexArrays> handle_{generate(GenVertexArrays)};
 };
 
-// A framebuffer: one level of each colour target, in order, and of a depth target, which may be null. Without
-// targets, `width`, `height` and `samples` are its default size and samples per pixel
-// (GL_FRAMEBUFFER_DEFAULT_WIDTH). Draw into it through RenderPass (gl/render_pass.h).
+// A framebuffer: one level of each colour target, in order, and of a depth target, which may be null. Draw
+// into it through RenderPass (gl/render_pass.h).
 class Framebuffer {
   public:
     struct Attachment {
         GLenum name;  // as in glInvalidateFramebuffer
-        // `unused`: depth and stencil of a window, which no pass uses.
+        // `unused`: no pass uses it, such as depth and stencil of a window.
         enum class Kind { color, integers, depth, unused } kind;
     };
 
     Framebuffer() = default;
     Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth,
                 int level = 0);
+    // A size and samples per pixel for fragments that write to buffers and images alone.
     Framebuffer(const std::string& label, int width, int height, int samples = 1);
     // One layer of an array texture as the depth target, without colour targets.
     Framebuffer(const std::string& label, const Texture& depths, GLint layer);
@@ -168,6 +168,7 @@ class Framebuffer {
     void create(const std::string& label);
     void check(const std::string& label) const;
     Handle<&DeleteFramebuffers> handle_;
+    Handle<&DeleteRenderbuffers> samples_;  // nobody reads it; 0 with one sample per pixel
     std::vector<Attachment> attachments_;
     int width_ = 0, height_ = 0;
 };

@@ -23,6 +23,9 @@ gl::ProgramDescription atomicsProgram() {
 gl::ProgramDescription derivativesProgram() {
     return {"check derivatives", {"passes/full_screen.vert", "lab/check_derivatives.frag"}, {}};
 }
+gl::ProgramDescription samplesProgram() {
+    return {"check samples", {"passes/full_screen.vert", "lab/check_samples.frag"}, {}};
+}
 gl::ProgramDescription fillProgram(GLenum format) {
     return {"check fill",
             {"lab/check_fill.comp"},
@@ -59,7 +62,7 @@ class Checks {
           framebuffer_("driver check", checkPixels, checkPixels) {}
 
     std::string atomics() {
-        return check([&] { draw(atomicsProgram()); }, checkFragments / 64,
+        return check([&] { draw(atomicsProgram(), framebuffer_); }, checkFragments / 64,
                      [&](const auto& found) -> std::string {
                          const std::uint32_t sum = checkFragments * (checkFragments - 1) / 2;
                          if (found[0] != sum || found[1] != checkFragments - 1 || found[2] != 0xFFFFFFFFU ||
@@ -76,12 +79,23 @@ class Checks {
     }
 
     std::string derivatives() {
-        return check([&] { draw(derivativesProgram()); }, 0,
+        return check([&] { draw(derivativesProgram(), framebuffer_); }, 0,
                      [&](const auto& found) -> std::string {
                          if (found[0] == 0 && found[1] == checkFragments) return "";
                          return "derivatives (dFdx, dFdy): wrong in " + std::to_string(found[0]) + " of " +
                                 std::to_string(found[1]) + " fragments; expected 0 of " +
                                 std::to_string(checkFragments);
+                     });
+    }
+
+    std::string samples() {
+        constexpr std::uint32_t samples = 4 * checkFragments;
+        const gl::Framebuffer target("driver check of samples", checkPixels, checkPixels, 4);
+        return check([&] { draw(samplesProgram(), target); }, 0,
+                     [&](const auto& found) -> std::string {
+                         if (found[0] == samples) return "";
+                         return "samples that a triangle covers (gl_SampleMaskIn): " +
+                                std::to_string(found[0]) + ", expected " + std::to_string(samples);
                      });
     }
 
@@ -114,7 +128,7 @@ class Checks {
 
     std::string imageAtomics() {
         return checkImage("atomics of fragments on a 3D image", false, 3 * checkTexels,
-                          [&] { draw(imageAtomicsProgram()); });
+                          [&] { draw(imageAtomicsProgram(), framebuffer_); });
     }
     std::string imageSwaps() {
         const gl::Program swaps(shaders_, imageSwapsProgram());
@@ -178,9 +192,9 @@ class Checks {
         };
     }
 
-    void draw(const gl::ProgramDescription& description) const {
+    void draw(const gl::ProgramDescription& description, const gl::Framebuffer& target) const {
         const gl::Program program(shaders_, description);
-        const gl::RenderPass pass(framebuffer_);
+        const gl::RenderPass pass(target);
         program.use();
         noVertices_.bind();
         gl::DrawArrays(GL_TRIANGLES, 0, 3);
@@ -227,24 +241,25 @@ class Checks {
 
 }  // namespace
 
-const std::vector<DriverCheck>& driverChecks() {
+std::vector<DriverCheck> driverChecks(int pixelSamples) {
     using Shaders = const gl::ShaderLibrary&;
-    static const std::vector<DriverCheck> all{
-        {[](Shaders shaders) { return Checks(shaders).imageAtomics(); }, true},
-        {[](Shaders shaders) { return Checks(shaders).atomics(); }},
-        {[](Shaders shaders) { return Checks(shaders).imageSwaps(); }},
-        {[](Shaders shaders) { return Checks(shaders).sharedAtomics(); }},
-        {[](Shaders shaders) { return Checks(shaders).derivatives(); }},
-        {[](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA8); }},
-        {[](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA16F); }}};
+    std::vector<DriverCheck> all{{[](Shaders shaders) { return Checks(shaders).imageAtomics(); }, true},
+                                 {[](Shaders shaders) { return Checks(shaders).atomics(); }},
+                                 {[](Shaders shaders) { return Checks(shaders).imageSwaps(); }},
+                                 {[](Shaders shaders) { return Checks(shaders).sharedAtomics(); }},
+                                 {[](Shaders shaders) { return Checks(shaders).derivatives(); }},
+                                 {[](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA8); }},
+                                 {[](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA16F); }}};
+    if (pixelSamples > 1) all.push_back({[](Shaders shaders) { return Checks(shaders).samples(); }});
     return all;
 }
 
 std::vector<gl::ProgramDescription> driverCheckPrograms() {
-    return {imageAtomicsProgram(),    imageValuesProgram(false), imageSwapsProgram(),
-            imageValuesProgram(true), sharedAtomicsProgram(),    atomicsProgram(),
-            derivativesProgram(),     fillProgram(GL_RGBA8),     fillProgram(GL_RGBA16F),
-            filteredProgram(true),    filteredProgram(false),    countProgram()};
+    return {
+        imageAtomicsProgram(),   imageValuesProgram(false), imageSwapsProgram(),    imageValuesProgram(true),
+        sharedAtomicsProgram(),  atomicsProgram(),          derivativesProgram(),   fillProgram(GL_RGBA8),
+        fillProgram(GL_RGBA16F), filteredProgram(true),     filteredProgram(false), samplesProgram(),
+        countProgram()};
 }
 
 }  // namespace vct

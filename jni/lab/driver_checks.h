@@ -18,7 +18,8 @@ struct DriverCheck {
     std::function<std::string(const gl::ShaderLibrary& shaders)> run;
     bool isNeededByThesis = false;
 };
-const std::vector<DriverCheck>& driverChecks();
+// `pixelSamples`: see pixelSamplesFor() in engine/voxelization.h.
+std::vector<DriverCheck> driverChecks(int pixelSamples);
 
 std::vector<gl::ProgramDescription> driverCheckPrograms();
 

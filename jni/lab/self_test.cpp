@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "engine/renderer.h"
+#include "engine/voxelization.h"
 #include "gl/debug.h"
 #include "gl/read_back.h"
 #include "lab/cpu_mips.h"
@@ -227,7 +228,7 @@ SelfTest::SelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& s
                    std::shared_ptr<gl::ProgramCache> programs)
     : programs_(std::move(programs)) {
     const gl::ShaderLibrary library{shaders, capabilities.language(), {}, programs_};
-    for (const DriverCheck& check : driverChecks())
+    for (const DriverCheck& check : driverChecks(pixelSamplesFor(capabilities)))
         checks_.push_back({"driver", [check, library] { return check.run(library); },
                            check.isNeededByThesis
                                ? ". All presets need it; use a newer driver"

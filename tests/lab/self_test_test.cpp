@@ -77,6 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                            "atomicAdd(sum, index);", "sum += index;", "atomics on shared variables"},
                     Broken{"DerivativesOfHalfSize", "lab/check_derivatives.frag", "dFdx(position)",
                            "0.5 * dFdx(position)", "derivatives"},
+                    Broken{"SamplesThatAreNotCounted", "lab/check_samples.frag", "gl_SampleMaskIn[0]",
+                           "gl_SampleMaskIn[0] & 1", "gl_SampleMaskIn"},
                     Broken{"ClearsThatMissASlice", "lab/check_filtered.comp", "VCT_CHECK_CLEARED ? vec4(0.0)",
                            "VCT_CHECK_CLEARED ? vec4(0.0, 0.0, 0.0, 0.2)", "clears of the slices"},
                     Broken{"CoverageThatIsLost", "directional/coverage.glsl",

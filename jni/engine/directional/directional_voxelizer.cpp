@@ -46,7 +46,7 @@ int FaceProjection::sideFor(int grid, int pixelSamples) {
 }
 
 void FaceProjection::use() const {
-    const gl::RenderPass pass(framebuffer_);  // without attachments, the pass only sets GL state
+    const gl::RenderPass pass(framebuffer_);  // only sets GL state
     gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
 }
 

@@ -15,7 +15,7 @@ gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
 // The viewport that the volume is projected to along an axis. A voxel is sixteen samples: two pixels wide
 // with four samples each, or four pixels wide with one sample if the driver does not say which samples a
-// triangle covers. The framebuffer has no attachments, because the fragments write to buffers and images.
+// triangle covers. The fragments write to buffers and images alone.
 class FaceProjection {
   public:
     FaceProjection(int grid, int pixelSamples);
