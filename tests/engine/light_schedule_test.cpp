@@ -23,7 +23,7 @@ TEST(LightSchedule, SettlesThenRefinesThenStops) {
     for (int i = 0; i < schedule.convergenceSteps(); ++i) {
         EXPECT_FALSE(schedule.isConverged()) << i;
         const LightPlan plan = schedule.advance(noChange);
-        EXPECT_EQ(plan.frame, static_cast<std::uint32_t>(i));
+        EXPECT_EQ(plan.step, static_cast<std::uint32_t>(i));
         EXPECT_EQ(plan.traces, i < 8) << i;
         EXPECT_EQ(plan.updatesDirect, i == 0) << i;
         EXPECT_EQ(plan.refiningStep, i < 16 ? -1 : i - 16) << i;

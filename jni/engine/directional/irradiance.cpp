@@ -464,7 +464,7 @@ static_assert(offsetof(shared::LightStep, bricks) % 16 == 0 && offsetof(shared::
 
 void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const {
     shared::LightStep values{};
-    values.frame = plan_.frame;
+    values.frame = plan_.step;
     values.rays = plan_.rays;
     values.movingRays = plan_.movingRays;
     values.minMovingRays = plan_.minMovingRays;

@@ -30,8 +30,8 @@ LightSchedule::LightSchedule(const GatherSettings& settings, int lightFrames)
 
 LightPlan LightSchedule::advance(const Change& change) {
     LightPlan plan;
-    plan.frame = frame_++;
-    const bool isFirst = plan.frame == 0;
+    plan.step = step_++;
+    const bool isFirst = plan.step == 0;
     plan.updatesDirect = change.light || change.lists || isFirst;
     const bool spreadsEmitters = change.isMove() && !isFirst;
     if (spreadsEmitters) emitterStepsLeft_ = emitterTurns;
@@ -42,8 +42,8 @@ LightPlan LightSchedule::advance(const Change& change) {
     // This step traces some rays of moving objects, and those after it trace each of them once.
     if (change.lists) tracingStepsLeft_ = (change.isMove() ? movePace : 1) * tracingSteps_ + 1;
     plan.traces = tracingStepsLeft_ > 0;
-    plan.startsDark = startsDark_ && plan.frame < static_cast<std::uint32_t>(tracingSteps_);
-    plan.bounces = plan.startsDark && plan.frame < firstSteps ? firstBounces : 1;
+    plan.startsDark = startsDark_ && plan.step < static_cast<std::uint32_t>(tracingSteps_);
+    plan.bounces = plan.startsDark && plan.step < firstSteps ? firstBounces : 1;
     // In a frame in which nothing moves, the hits of moving objects may still be those of earlier poses.
     plan.movingRays = change.lists ? static_cast<std::uint32_t>(rayBudget_) : 0;
     plan.minMovingRays = change.lists ? 1 : static_cast<std::uint32_t>(rays_);
@@ -55,13 +55,13 @@ LightPlan LightSchedule::advance(const Change& change) {
     }
     if (stepsLeft_ > 0) --stepsLeft_;
 
-    if (isFirst || (change.any() && !change.isMove())) changedAll_ = frame_;
+    if (isFirst || (change.any() && !change.isMove())) changedAll_ = step_;
     const auto steps = static_cast<std::uint32_t>(lightFrames_),
                moveSteps = static_cast<std::uint32_t>(moveSteps_);
     const bool isRefining = plan.refiningStep >= 0;
-    plan.visitsAll = changedAll_ != 0 && (isRefining || plan.interrupts || frame_ - changedAll_ < steps);
+    plan.visitsAll = changedAll_ != 0 && (isRefining || plan.interrupts || step_ - changedAll_ < steps);
     plan.listsVisited = !plan.visitsAll && (change.isMove() || plan.refiningStep == 0 || visitedAll_);
-    plan.visitsSince = isRefining || frame_ < moveSteps ? 1 : frame_ - moveSteps + 1;
+    plan.visitsSince = isRefining || step_ < moveSteps ? 1 : step_ - moveSteps + 1;
     plan.rays = static_cast<std::uint32_t>(plan.visitsAll ? rays_ : std::max(rays_ / movePace, 1));
     visitedAll_ = plan.visitsAll;
     // The step of a move leaves the rays of new faces to the next one, but not twice in succession.

@@ -16,7 +16,7 @@ namespace vct {
 
 // The parameters of one light step (shaders/shared/layout.h: LightStep).
 struct LightPlan {
-    std::uint32_t frame = 0;          // number of the step
+    std::uint32_t step = 0;           // number of the step
     std::uint32_t movingRays = 0;     // rays of all faces of moving objects together that are traced again
     std::uint32_t minMovingRays = 0;  // and at least so many of each of these faces
     int refiningStep = -1;            // number of the step in the refinement; -1: it does not refine
@@ -79,7 +79,7 @@ class LightSchedule {
     int lightFrames_, refiningSteps_, tracingSteps_, rayBudget_, rays_;
     int moveSteps_;  // steps after a move, before a refinement
     int stepsLeft_, tracingStepsLeft_, emitterStepsLeft_ = 0;
-    std::uint32_t frame_ = 0;
+    std::uint32_t step_ = 0;
     // The step, counted from 1, in which light changed everywhere; 0: a refinement has visited all since.
     std::uint32_t changedAll_ = 0;
     bool startsDark_ = true;
