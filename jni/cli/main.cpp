@@ -33,8 +33,6 @@ std::string optionsOf(const std::string& error) {
                                          {"the camera's", "--camera"},
                                          {"cone angle", "--cone-angle"},
                                          {"shadow map must", "--shadow-map"},
-                                         {"the shadow 'cone'", "--shadow"},
-                                         {"the specular 'rays'", "--specular"},
                                          {"coarser grid", "--grid"},
                                          {"smaller picture", "--size"},
                                          {"allow files outside", "--allow-outside"}})

@@ -45,7 +45,6 @@ struct RenderOptions {
     std::string toneMap = "neutral";
     SkyOption sky;
     // These replace the preset's settings if they are given.
-    std::optional<std::string> shadow, specular;
     std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg;
@@ -82,8 +81,6 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.lightRadius = options.lightRadius;
-    if (options.shadow) settings.shadow = parsed("--shadow", shadowFromText, *options.shadow);
-    if (options.specular) settings.specular = parsed("--specular", specularFromText, *options.specular);
     settings.lightFrames = options.lightFrames.value_or(settings.lightFrames);
     options.sky.applyTo(settings);
     settings.revoxelize = options.revoxelize;
@@ -347,10 +344,9 @@ void render(RenderOptions options) {
         say("note: the scene is animated and shown at rest; --time S renders a moment of its " +
             numberText(scene.animation.durationS) + " s, --frames N --fps F renders a sequence");
 
-    if (settings.specular == Specular::none && featuresOf(scene).glossy)
+    if (settings.voxels == Voxels::packed && featuresOf(scene).glossy)
         say("warning: glossy materials (metals, and others with a roughness below 1) are rendered without "
-            "reflections; use --preset "
-            "mobile or quality with --specular rays");
+            "reflections; use --preset mobile or quality");
 
     const Context context = options.scene.backend.open();
     say(context.capabilities.renderer + ", " + context.capabilities.version);
@@ -470,19 +466,6 @@ void addRender(CLI::App& app, int&) {
                      "Radius of point and spot lights in metres, for soft shadows in mode 5; directional "
                      "lights besides the sun then get the sun's --cone-angle (default: hard shadows)")
         ->check(positive)
-        ->group(lightGroup);
-    command
-        ->add_option("--shadow", options->shadow,
-                     "How mode 5 finds the sun's soft shadow: cone (a cone through the voxels, only with the "
-                     "preset thesis) or soft-map (the shadow map, filtered over the penumbra's width) "
-                     "(default: the preset's)")
-        ->group(lightGroup);
-    command
-        ->add_option("--specular", options->specular,
-                     "Reflections of metals, and of others with a roughness below 1, in modes 4 and 5: none, "
-                     "or rays (the "
-                     "sun's highlight, and rays around the mirror direction; not with the preset thesis) "
-                     "(default: the preset's)")
         ->group(lightGroup);
     command
         ->add_option("--light-frames", options->lightFrames,

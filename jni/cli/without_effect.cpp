@@ -17,7 +17,6 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
     const bool voxels = shown([](const OutputReads& read) { return read.voxels; });
     const bool gathers =
         shown([](const OutputReads& read) { return read.ambientVisibility || read.indirectLight; });
-    const bool reflections = shown([](const OutputReads& read) { return read.reflections; });
     const bool hasSun = isOn(run.sun);
     const std::vector<PunctualLight>& others = run.scene.punctualLights;
     const bool hasSoftDirectional = run.settings.lightRadius > 0.0F &&
@@ -41,13 +40,8 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
         {"--cone-angle", !hasSun && !hasSoftDirectional, noSun},
         {"--light-radius", !softShadow, mode5},
         {"--light-radius", others.empty(), "the scene has no lights besides the sun"},
-        {"--shadow", !softShadow, mode5},
-        {"--shadow", !hasSun, noSun},
         {"--shadow-map", !shadowMap, "the mode phong has no shadows"},
         {"--shadow-map", !hasSun, noSun},
-        {"--specular", !reflections, "it needs the mode gi or gi-cone-shadow"},
-        {"--specular", !featuresOf(run.scene).glossy,
-         "the scene has no glossy materials (metals, and others with a roughness below 1)"},
         {"--emission", !run.hasEmitters, "no surface of the scene emits light"},
         {"--grid", !voxels, noVoxels},
         {"--voxel-size", !voxels, noVoxels},

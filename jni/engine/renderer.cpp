@@ -262,14 +262,13 @@ LightFeatures Renderer::lightFeatures() const {
 
 GBuffer& Renderer::gBuffer() {
     if (!gBuffer_)
-        gBuffer_.emplace(shaders_, scene_, settings_.size,
-                         extraTargets(scene_.features(), settings_.specular));
+        gBuffer_.emplace(shaders_, scene_, settings_.size, extraTargets(scene_.features(), settings_.voxels));
     return *gBuffer_;
 }
 
 ShadowMap& Renderer::shadowMap() {
     if (!shadowMap_)
-        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, settings_.shadow == Shadow::softMap,
+        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, settings_.voxels == Voxels::directional,
                            settings_.cascades);
     return *shadowMap_;
 }

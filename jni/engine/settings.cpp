@@ -9,33 +9,6 @@
 
 namespace vct {
 
-namespace {
-// Returns the one of two values whose name is `text`; throws vct::Error that lists both names.
-template <class Value>
-Value valueNamed(const std::string& text, Value first, Value second, const char* (*nameOf)(Value)) {
-    for (Value value : {first, second})
-        if (text == nameOf(value)) return value;
-    throw Error("'" + text + "' does not exist; use " + nameOf(first) + " or " + nameOf(second));
-}
-
-}  // namespace
-
-const char* shadowName(Shadow shadow) {
-    return shadow == Shadow::cone ? "cone" : "soft-map";
-}
-
-Shadow shadowFromText(const std::string& text) {
-    return valueNamed(text, Shadow::cone, Shadow::softMap, shadowName);
-}
-
-const char* specularName(Specular specular) {
-    return specular == Specular::none ? "none" : "rays";
-}
-
-Specular specularFromText(const std::string& text) {
-    return valueNamed(text, Specular::none, Specular::rays, specularName);
-}
-
 const std::vector<int>& allGrids() {
     static const std::vector<int> grids{64, 128, 256, 512};
     return grids;
@@ -51,8 +24,6 @@ Settings presetSettings(const std::string& name) {
     Settings settings;
     if (name == "thesis") return settings;
     settings.voxels = Voxels::directional;
-    settings.shadow = Shadow::softMap;
-    settings.specular = Specular::rays;
     settings.shadowMapSize = 1024;
     settings.gather.refinedDirections = 1024;
     if (name == "mobile") {
@@ -106,10 +77,6 @@ void validate(const Settings& settings) {
             "the radius of lights must be 0 or above");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
             "lightFrames must be between 1 and 1000");
-    require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
-            "the shadow 'cone' works only with the preset thesis; use soft-map with the other presets");
-    require(settings.voxels == Voxels::directional || settings.specular == Specular::none,
-            "the specular 'rays' does not work with the preset thesis; use another preset, or none");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "the distance of ambient occlusion must be above 0 and at most 1, in sides of the voxel volume");
     const int maxCascades = maxCascadesFor(grid);

@@ -13,28 +13,14 @@ namespace vct {
 
 class Environment;
 
-// The method for the soft shadow of mode 5.
-enum class Shadow {
-    cone,     // a cone through the voxels (thesis 4.6)
-    softMap,  // percentage-closer filtering of the shadow map (shaders/passes/soft_shadow.glsl)
-};
-const char* shadowName(Shadow shadow);  // "cone", "soft-map"
-// Throws vct::Error that lists the names if `text` is none of them.
-Shadow shadowFromText(const std::string& text);
-
-// The specular light of glossy materials: metals, and others with a roughness below 1.
-enum class Specular {
-    none,  // every surface is Lambertian, with its base colour as albedo
-    rays,  // the sun's highlight, and rays around the mirror direction (passes/gloss.h)
-};
-const char* specularName(Specular specular);  // "none", "rays"
-// Throws vct::Error that lists the names if `text` is none of them.
-Specular specularFromText(const std::string& text);
-
-// The kind of voxels.
+// The kind of voxels, and with it the kind of light.
 enum class Voxels {
-    packed,       // the thesis's: one packed word per voxel, filtered by shader code
-    directional,  // six one-sided faces per voxel, which rays meet
+    // The thesis's: one packed word per voxel. Each pixel traces cones for indirect light and soft
+    // shadow, and every surface is Lambertian.
+    packed,
+    // Six one-sided faces per voxel, which gather light. The soft shadow is of the shadow map, and glossy
+    // materials reflect.
+    directional,
 };
 
 // Settings of the gather at the faces of directional voxels. docs/design-decisions.md has the measurements
@@ -59,17 +45,15 @@ struct GridRange {
 
 struct Settings {
     Voxels voxels = Voxels::packed;
-    Specular specular = Specular::none;  // modes 4 and 5; directional voxels only
-    GatherSettings gather;               // indirect diffuse light; directional voxels only
-    int lightFrames = 16;                // light steps after a change; refinement may follow them
-    int grid = 256;                      // voxels along a side of the volume, one of allGrids()
-    GridRange gridRange;                 // bounds for chooseGrid()
+    GatherSettings gather;            // indirect diffuse light; directional voxels only
+    int lightFrames = 16;             // light steps after a change; refinement may follow them
+    int grid = 256;                   // voxels along a side of the volume, one of allGrids()
+    GridRange gridRange;              // bounds for chooseGrid()
     int cascades = 1;                 // nested cubes of `grid` voxels (cascades.h); directional voxels only
     glm::ivec2 size{400, 400};        // pixels
     int shadowMapSize = 512;          // texels along a side
     float shadowConeAngleDeg = 5.0F;  // full opening angle of the sun's disc
     float lightRadius = 0.0F;         // metres, of point and spot lights in mode 5; 0: hard shadows
-    Shadow shadow = Shadow::cone;     // mode 5
     float aoDistance = 0.045F;        // relative to the volume's side
     glm::vec3 skyRadiance{0.0F};      // light from outside of the volume; the scene's radiance unit
     // A sky that depends on direction, in the scene's radiance unit. It replaces skyRadiance.

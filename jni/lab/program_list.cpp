@@ -31,7 +31,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             if (known.program.name == program.name && known.program.defines == program.defines) return;
         programs.push_back({step, program});
     };
-    const ExtraTargets targets = extraTargets(features, settings.specular);
+    const ExtraTargets targets = extraTargets(features, settings.voxels);
     const bool emission = features.has(featureEmissive);
     const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
                                settings.voxels == Voxels::directional && emission && compactEmitters,
@@ -40,7 +40,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
     if (read.shadowMap())
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
-    if (read.softShadow && settings.shadow == Shadow::softMap) add(Step::shadowMap, shadowLevelProgram());
+    if (read.softShadow && settings.voxels == Voxels::directional) add(Step::shadowMap, shadowLevelProgram());
     for (unsigned f : features.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     if (read.voxels && settings.voxels == Voxels::directional) {
@@ -129,12 +129,10 @@ std::vector<Settings> everySettings() {
     for (const std::string& preset : presetNames())
         all.push_back(presetSettings(preset));
     Settings soft = presetSettings("mobile");
-    soft.shadow = Shadow::softMap;
     soft.lightRadius = 0.1F;
     soft.cascades = 2;
     all.push_back(soft);
     soft.voxels = Voxels::packed;
-    soft.specular = Specular::none;
     soft.cascades = 1;
     all.push_back(soft);
     const auto sky = std::make_shared<const Environment>(Image(2, 1), "of no light");

@@ -64,10 +64,8 @@ ordered_json settingsJson(const TimingsReport& report, const gl::Capabilities& c
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"light_radius", s.lightRadius},
-            {"shadow", shadowName(s.shadow)},
             {"sky", skyText(s)},
             {"ao_distance", s.aoDistance},
-            {"specular", specularName(s.specular)},
             {"light_frames", s.lightFrames}};
 }
 

@@ -21,15 +21,6 @@ const float specularExponent = 5.0;
 // i in eq. 4.9: the share of direct light that a shadow removes.
 const float shadowStrength = 0.9;
 
-// --shadow soft-map: the soft shadow of the shadow map is the exact share of the direct light, and is not
-// combined with ambient occlusion.
-#ifdef VCT_SOFT_SHADOW
-#include "passes/soft_shadow.glsl"
-const bool softShadowIsAll = true;
-#else
-const bool softShadowIsAll = false;
-#endif
-
 struct Gather {
     mediump vec3 radiance;            // mean over the hemisphere, weighted by the cosine, relative to E/pi
     mediump float ambientVisibility;  // 1 - ambient occlusion
@@ -54,12 +45,8 @@ Gather indirectDiffuse(vec3 position, vec3 normal) {
     return Gather(vec3(0.0), 1.0);
 }
 mediump float sunVisibility(vec3 position, SurfaceNormals normals, float cosTheta) {
-#ifdef VCT_SOFT_SHADOW
-    return softShadow(position, normals.face, slackShareOf(normals.isCurved));
-#else
     return VCT_SHOWS_SOFT_SHADOW ? traceShadowCone(position, normals.geometric)
                                  : shadowMapLight(position, cosTheta);
-#endif
 }
 #endif
 
@@ -88,9 +75,8 @@ mediump vec3 shadeSunAndIndirect(mediump vec3 albedo, vec3 position, vec3 normal
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
     if (mode == VCT_VIEW_SPECULAR) return vec3(0.0);
-    mediump float total = light;
-    if (!softShadowIsAll)
-        total = mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength);  // eq. 4.9
+    // Eq. 4.9.
+    mediump float total = mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength);
     if (VCT_SHOWS_INDIRECT_LIGHT)
         return albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
     if (mode == VCT_MODE_PHONG) total = 1.0;

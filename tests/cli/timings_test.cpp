@@ -50,8 +50,7 @@ TEST(Timings, HaveTheFieldsThatDocsTimingsMdPromises) {
         EXPECT_FALSE(timings.at("machine").at(text).get<std::string>().empty()) << text;
     EXPECT_GE(timings.at("machine").at("threads").get<int>(), 1);
     const json settings = {{"preset", "thesis"}, {"grid", 64},        {"width", 64},
-                           {"height", 64},       {"shadow_map", 512}, {"cone_angle_deg", 5.0},
-                           {"shadow", "cone"}};
+                           {"height", 64},       {"shadow_map", 512}, {"cone_angle_deg", 5.0}};
     for (const auto& [key, value] : settings.items())
         EXPECT_EQ(timings.at("settings").at(key), value) << key;
     const json method = {{"warm_up_frames", 2}, {"frames", frameCount}, {"revoxelized_every_frame", true}};

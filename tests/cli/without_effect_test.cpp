@@ -14,31 +14,29 @@ TEST(WithoutEffect, EachOptionIsNamedWithTheReason) {
     program.expectSuccess(
         std::string("render ") + ProgramRun::cornell + tinyOutput +
         "--preset thesis --mode phong --grid 64 --light-frames 3 --cone-angle 2 --light-radius 0.1 "
-        "--shadow soft-map --shadow-map 64 --specular none --emission 2 --active-voxels 9999 "
+        "--shadow-map 64 --emission 2 --active-voxels 9999 "
         "--revoxelize --contact-sheet");
     for (const char* option :
          {"--light-frames has no effect: the preset thesis",
           "--cone-angle has no effect: it needs the mode gi-cone",
-          "--light-radius has no effect: it needs the mode", "--shadow has no effect: it needs the mode",
-          "--shadow-map has no effect: the mode phong", "--specular has no effect: it needs the mode gi",
+          "--light-radius has no effect: it needs the mode", "--shadow-map has no effect: the mode phong",
           "--emission has no effect: no surface",
           "--active-voxels has no effect: the modes phong and shadow-map",
           "--grid has no effect: the modes phong", "--revoxelize has no effect: it changes only the times",
           "--contact-sheet has no effect: a sheet needs several modes"})
         expectMentions(program.err, {std::string("note: ") + option});
-    // One note for each of the eleven options, although there may be two reasons.
+    // One note for each of the nine options, although there may be two reasons.
     std::size_t notes = 0;
     for (std::size_t at = 0; (at = program.err.find("has no effect", at)) != std::string::npos; ++at)
         ++notes;
-    EXPECT_EQ(notes, 11U) << program.err;
+    EXPECT_EQ(notes, 9U) << program.err;
 }
 
 TEST(WithoutEffect, NothingIsSaidOfOptionsThatHaveOne) {
     ProgramRun program;
-    program.expectSuccess(
-        std::string("render ") + ProgramRun::cornell + tinyOutput +
-        "--mode phong,gi-cone-shadow --grid 64 --light-frames 2 --cone-angle 2 --shadow soft-map "
-        "--shadow-map 64 --active-voxels 99999 --contact-sheet");
+    program.expectSuccess(std::string("render ") + ProgramRun::cornell + tinyOutput +
+                          "--mode phong,gi-cone-shadow --grid 64 --light-frames 2 --cone-angle 2 "
+                          "--shadow-map 64 --active-voxels 99999 --contact-sheet");
     EXPECT_EQ(program.err.find("has no effect"), std::string::npos) << program.err;
     program.expectSuccess("render " VCT_SOURCE_DIR "/assets/moving.glb --mode phong --time 1 --animation 0" +
                           std::string(tinyOutput));

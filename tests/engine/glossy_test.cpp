@@ -22,7 +22,6 @@ const glm::dvec3 copper(0.9, 0.6, 0.3);
 Settings glossyAt(glm::ivec2 size) {
     Settings settings = mobileAt(1);
     settings.size = size;
-    settings.specular = Specular::rays;
     return settings;
 }
 
@@ -208,8 +207,7 @@ TEST(Glossy, RoughnessNearOneMakesNoJump) {
     }
 }
 
-Image pictureOf(const Context& context, const Scene& scene, Settings settings, Specular specular) {
-    settings.specular = specular;
+Image pictureOf(const Context& context, const Scene& scene, const Settings& settings) {
     Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
                       context.capabilities, testShaders());
     renderer.render({{Output::giConeShadow}, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50)});
@@ -231,8 +229,8 @@ TEST(Glossy, AGlossySurfaceChangesItsOwnPixelsAlone) {
     const Settings settings = glossyAt({64, 64});
     Scene scene = corner();
     scene.materials[1].roughness = 0.3F;
-    const Image with = pictureOf(context, scene, settings, Specular::rays);
-    const Image without = pictureOf(context, corner(), settings, Specular::none);
+    const Image with = pictureOf(context, scene, settings);
+    const Image without = pictureOf(context, corner(), settings);
     FrameInspector frame(context, scene, noLight(), settings, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50));
     const std::vector<SurfacePixel>& pixels = frame.pixels();
     int floor = 0, wall = 0, changed = 0;
@@ -305,11 +303,10 @@ TEST(Glossy, HalfTheResolutionDoesNotBleedOverEdges) {
 
 TEST(Glossy, OnlyGlossySurfacesAddDrawsAndTextures) {
     const Context context = openContext(Backend::egl);
-    const auto costs = [&](float roughness, Specular specular) {
+    const auto costs = [&](float roughness) {
         Scene scene = corner();
         scene.materials[1].roughness = roughness;
-        Settings settings = glossyAt({32, 32});
-        settings.specular = specular;
+        const Settings settings = glossyAt({32, 32});
         Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
                           context.capabilities, testShaders());
         const RenderRequest request{{Output::gi}, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50), LightSteps::all};
@@ -321,9 +318,8 @@ TEST(Glossy, OnlyGlossySurfacesAddDrawsAndTextures) {
         }
         return std::pair(draws, bytesOf(renderer.resources()));
     };
-    EXPECT_EQ(costs(1.0F, Specular::rays), costs(1.0F, Specular::none));
-    const auto [draws, bytes] = costs(0.5F, Specular::rays);
-    const auto [fewerDraws, fewerBytes] = costs(0.5F, Specular::none);
+    const auto [draws, bytes] = costs(0.5F);
+    const auto [fewerDraws, fewerBytes] = costs(1.0F);
     EXPECT_EQ(draws, fewerDraws + 5);
     // Gloss of the G-buffer and a mask, 2 bytes each; in half the resolution two times 8 bytes and a mask.
     EXPECT_EQ(bytes, fewerBytes + 32 * 32 * (2 + 2) + 16 * 16 * (2 * 8 + 2));
@@ -346,15 +342,6 @@ TEST(Glossy, AResizedPictureIsThatOfANewRenderer) {
     for (std::size_t i = 0; i < one.pixels.size(); ++i)
         largest = std::max(largest, glm::length(one.pixels[i] - other.pixels[i]));
     EXPECT_LT(largest, 0.01F);
-}
-
-TEST(Specular, IsRefusedWithThePresetThesis) {
-    Settings settings = presetSettings("thesis");
-    EXPECT_EQ(settings.specular, Specular::none);
-    settings.specular = Specular::rays;
-    EXPECT_THROW(validate(settings), Error);
-    EXPECT_THROW(specularFromText("mirror"), Error);
-    EXPECT_EQ(specularFromText("none"), Specular::none);
 }
 
 }  // namespace

@@ -13,9 +13,7 @@ namespace {
 const DirectionalLight slantingSun = lightFrom(glm::normalize(glm::dvec3(0.3, 1.0, 0.2)));
 
 Settings materialSettings() {
-    Settings settings = mobileAt(64);
-    settings.specular = Specular::rays;
-    return settings;
+    return mobileAt(64);
 }
 
 Camera overhead() {

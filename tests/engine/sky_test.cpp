@@ -244,8 +244,7 @@ TEST(Sky, ABallOfMetalReflectsTheLobeOfItsRoughness) {
         scene.materials[0].metallic = 1.0F;
         scene.materials[0].roughness = roughness;
         addBall(scene, 0.8, {0, 0, 0});
-        Settings settings = settingsUnder(skyOf(glow), 96);
-        settings.specular = Specular::rays;
+        const Settings settings = settingsUnder(skyOf(glow), 96);
         const glm::dvec3 eye(0.0, 0.5, 3.0);
         FrameInspector frame(context, finished(std::move(scene)), noLight(), settings,
                              lookAt(eye, {0, 0, 0}, 35));

@@ -20,7 +20,7 @@ constexpr double sheetHeight = 0.5;  // of the blockers above the floor
 
 Settings softMap(float sunAngleDeg, int pixels = 192) {
     Settings settings = smallSettings(64, pixels);
-    settings.shadow = Shadow::softMap;
+    settings.voxels = Voxels::directional;
     settings.shadowMapSize = 512;
     settings.shadowConeAngleDeg = sunAngleDeg;
     return settings;

@@ -6,9 +6,9 @@
 
 namespace vct {
 
-ExtraTargets extraTargets(const SceneFeatures& features, Specular specular) {
+ExtraTargets extraTargets(const SceneFeatures& features, Voxels voxels) {
     return {features.has(featureEmissive) || features.has(featureUnlit),
-            specular == Specular::rays && features.glossy, features.has(featureNormalMap)};
+            voxels == Voxels::directional && features.glossy, features.has(featureNormalMap)};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {

@@ -17,7 +17,7 @@ struct ExtraTargets {
     bool mappedNormals = false;  // a material has a normal map
 };
 // The extra targets that a scene needs.
-ExtraTargets extraTargets(const SceneFeatures& features, Specular specular);
+ExtraTargets extraTargets(const SceneFeatures& features, Voxels voxels);
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 
 class GBuffer {

@@ -29,8 +29,6 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
     if (punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (punctual && read.softShadow && (settings.lightRadius > 0.0F || lights.softPunctual))
         defines.emplace_back("VCT_SOFT_LIGHTS");
-    if (isThesis && read.softShadow && settings.shadow == Shadow::softMap)
-        defines.emplace_back("VCT_SOFT_SHADOW");
     append(lightDefines({false, lights.environment, false}));  // face irradiance includes emitters
     const char* const shader = isThesis ? "packed/shade.frag" : "passes/shade.frag";
     return {"shade " + number, {"passes/full_screen.vert", shader}, defines};
