@@ -14,6 +14,8 @@ constexpr double halfTurn = 3.14159265358979323846;  // radians
 // At this size a texel is a sixth of a degree wide, two pixels of a picture with 400 pixels and a field of
 // view of 40 degrees, and the cube takes 17 MB.
 constexpr int largestSide = 512;
+// Up to this size texels are a fourth of a pixel wide. The cube takes 1 MB.
+constexpr int sideOfSmallPictures = 128;
 constexpr int cubeFaces = 6;
 
 // The coordinate of a texel's middle on a face, in [-1, 1].
@@ -192,8 +194,11 @@ Environment::Environment(const Image& picture, const std::string& name) {
     Image smaller = picture;
     while (smaller.height > 2 * largestSide && smaller.height % 2 == 0)
         smaller = halved(smaller);
+    // Texels that are as wide as pixels blur the picture twice. That shows in a mirror if the pixels are
+    // wide.
+    const int wanted = std::max(smaller.height, std::min(4 * smaller.height, sideOfSmallPictures));
     int side = 1;
-    while (side < std::min(smaller.height, largestSide))
+    while (side < std::min(wanted, largestSide))
         side *= 2;
     levels_.push_back(finestLevel(limitNarrowPixels(smaller), side));
     for (; side > 1; side /= 2)
