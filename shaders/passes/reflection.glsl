@@ -162,6 +162,22 @@ vec3 lightAlongRay(vec3 start, int own, vec3 direction, float tangent, float dic
 // Rays of a sample of a rough surface. The directions of 4 x 4 neighbouring samples are parts of one set.
 const int raysOfSample = 4;
 
+// Three bits in reverse.
+int reversedBits(int x) {
+    return (x & 1) << 2 | (x & 2) | x >> 2;
+}
+
+// A point of the set of 64 in the unit square, which has one in each of 8 x 8 cells, 64 rows and 64 columns.
+// A sample has one ray in each of 4 rows and 4 columns of wider cells, 4 x 4 in the square. The four samples
+// of each row and column of 4 x 4 samples have one ray in each of these cells, because bodies that bend along
+// one axis share their rays along the other alone. `sampleOfSet`: of sampleOf().
+vec2 pointOfSet(int sampleOfSet, int ray) {
+    int swapped = ((ray & 1) << 1) | (ray >> 1);
+    int within = (sampleOfSet >> 2) ^ ray;
+    int row = 2 * ray + (within & 1), column = 2 * (swapped ^ (sampleOfSet & 3)) + (within >> 1);
+    return (vec2(row, column) + (vec2(reversedBits(column), reversedBits(row)) + 0.5) * 0.125) * 0.125;
+}
+
 // The light from around the mirror direction at a surface at `position` (volume space), relative to E/pi;
 // rgb: weighted, a: the sum of the weights, up to 0.5. Rays go to the mirror directions of microfacets with
 // the density of the normals that the eye sees (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with
@@ -181,8 +197,7 @@ vec4 reflectedLight(vec3 position, vec3 normal, float roughness, float direction
     float perDensity = 2.0 / (directions * alpha2 * halfMasking(toEye.y, alpha2));
     vec4 sum = vec4(0.0);
     for (int i = 0; i < rays; ++i) {
-        // The sequence R2 of Roberts (2018).
-        vec2 u = fract(0.5 + float(sampleOfSet * rays + i) * vec2(0.7548777, 0.5698403));
+        vec2 u = pointOfSet(sampleOfSet, i);
         float height = 1.0 - u.x * (1.0 + stretched.y), azimuth = 6.2831853 * u.y;
         float radius = sqrt(max(1.0 - height * height, 0.0));
         vec3 cap = vec3(radius * cos(azimuth), height, radius * sin(azimuth));
@@ -199,9 +214,8 @@ vec4 reflectedLight(vec3 position, vec3 normal, float roughness, float direction
     return min(sum, 6e4);
 }
 
-// The part of the set for each pixel of 4 x 4; those of 2 x 2 are consecutive.
+// The part of the set for each pixel of 4 x 4: 2 bits of the column, and 2 of the cell.
 int sampleOf(ivec2 pixel) {
-    // The lowest bits, by shifts (directional/face_words.glsl).
-    uvec4 bits = uvec4(pixel, pixel >> 1) << 31u >> 31u;
-    return int((bits.x ^ bits.y) * 2u + bits.y + ((bits.z ^ bits.w) * 2u + bits.w) * 4u);
+    ivec2 place = pixel & 3;
+    return (place.x ^ place.y) | place.y << 2;
 }
