@@ -50,7 +50,7 @@ struct WallSide {
 
 // If a thin wall crosses a surface, as one that stands on a floor, the surface's face is of the larger part.
 // One side of the wall may look the way of the face and have the same face, so the face is of the part on
-// that side. `at`: the voxel with the wall, which is the surface's or the one in front.
+// that side, if there is one. `at`: the voxel with the wall, which is the surface's or the one in front.
 // `points`: of the surface. `but`: a bit per face that is not of a wall.
 WallSide wallSide(ResolvedFace own, ResolvedFace at, SurfacePlane plane, uint points, uint but) {
     int axis = own.face >> 1;
@@ -70,6 +70,7 @@ WallSide wallSide(ResolvedFace own, ResolvedFace at, SurfacePlane plane, uint po
             const float perpendicular = 0.15;
             float lean = (own.face & 1) == 0 ? one.normal[axis] : -one.normal[axis];
             bool isBefore = abs(lean) > perpendicular ? lean > 0.0 : bitCount(before) >= bitCount(behind);
+            if ((isBefore ? before : behind) == 0u) isBefore = !isBefore;
             WallSide side = isBefore ? WallSide(front, before) : WallSide(back, behind);
             if (side.points != 0u) return side;
         }
@@ -146,14 +147,14 @@ void main() {
             planeCoverage = coverageOf(points);
         }
         bool ends = (extent.inFront | extent.behind) != 0u;
-        if (ends) step = 0.12;
+        if (ends) step = 0.19;  // the points and the samples have steps of 1/8 and 1/16
         float opacity = 1.0;
         if (part.coverage < planeCoverage - step) {
             float covered =
                 ends ? planeCoverage
                      : min(planeCoverage, (1.0 - 2.0 * abs(part.place.x)) * (1.0 - 2.0 * abs(part.place.y)));
-            // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
-            opacity = part.coverage >= covered - step ? 0.996 : part.coverage / max(covered, 0.05);
+            opacity = part.coverage >= covered - step ? float(opaqueInPart) / 255.0
+                                                      : part.coverage / max(covered, 0.05);
         }
         // A sliver of a round surface: with what rays add beyond its edges (acrossPlane), it would make a
         // column wider than it is.

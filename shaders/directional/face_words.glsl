@@ -76,6 +76,9 @@ uint faceId(uint cell, int face) {
 uint packSurface(uint plane, float opacity) {
     return uint(clamp(opacity, 0.0, 1.0) * 255.0 + 0.5) << 24 | (plane & 0xFFFFFFu);
 }
+// The opacity of a part that stops all rays, which test whether they meet it (covers() in
+// directional/ray.glsl).
+const uint opaqueInPart = 254u;
 float opacityOf(uint surface) {
     return float(surface >> 24) / 255.0;
 }

@@ -60,7 +60,7 @@ bool covers(VoxelCells cells, int axis, uint surface, uint extentWord, vec3 poin
         vec2 beside = abs(acrossFaces(point, axis) - extent.place) - 0.5 + abs(extent.place);
         if (max(beside.x, beside.y) > acrossPlane) return false;
     }
-    return dice < opacityOf(surface);
+    return dice < opacityOf(surface) || surface >> 24u == opaqueInPart;
 }
 
 // The id of the face that goes on behind a thin wall, in the voxel beside or in the one behind or before
