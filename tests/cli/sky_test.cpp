@@ -107,12 +107,12 @@ TEST(SkyOption, AClosedRoomWithoutALightGetsALampAndSaysSo) {
         EXPECT_GT(pixel.g, 0.1F);
 }
 
-TEST(SkyOption, AnExposureThatOnlyShowsLeaksIsWarnedAbout) {
+TEST(SkyOption, ARoomThatNoLightReachesIsWarnedAbout) {
     ProgramRun program;
     writeClosedRoom(program, "room.glb");
     program.expectSuccess(std::string(renderRoom) + "--light intensity=3.14 --sky 0.2,0.25,0.35");
     EXPECT_EQ(program.err.find("adds a point light"), std::string::npos) << program.err;
-    expectMentions(program.err, {"warning: little of the scene's light reaches the picture", "--camera"});
+    expectMentions(program.err, {"warning: the picture is black", "--camera"});
 }
 
 // A triangle from (0,0,0) to (1,1,0) that faces +Z, of this colour.
