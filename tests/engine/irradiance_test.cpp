@@ -248,6 +248,16 @@ TEST(Gather, NoSkyShinesIntoTheCreasesOfAClosedRoom) {
     EXPECT_LE(frame.spreadOf(Output::indirectLight).max, 0.0001);
 }
 
+// A box whose inside is the front.
+void addRoom(Scene& scene, const glm::dvec3& sides, const glm::dvec3& centre) {
+    addBox(scene, sides, centre, 0);
+    Mesh& room = scene.meshes.back();
+    for (Vertex& vertex : room.vertices)
+        vertex.normal = -vertex.normal;
+    for (std::size_t i = 0; i < room.indices.size(); i += 3)
+        std::swap(room.indices[i], room.indices[i + 1]);
+}
+
 // A bulb in a closed box of 4.5 voxels, whose walls are a seventh of a voxel thick. What the room receives,
 // of what it receives from the bulb without the box. A box that is turned leaks a little, because the outside
 // of one wall and the inside of the next share faces along its edges.
@@ -259,13 +269,8 @@ TEST(Gather, NoLightLeavesAClosedBox) {
         if (thickness > 0.0) {
             addBox(scene, glm::dvec3(0.15), {}, 0);
             scene.instances.back().worldFromObject = turn;
-            addBox(scene, glm::dvec3(0.15 - 2.0 * thickness), {}, 0);
+            addRoom(scene, glm::dvec3(0.15 - 2.0 * thickness), {});
             scene.instances.back().worldFromObject = turn;
-            Mesh& inside = scene.meshes.back();
-            for (Vertex& vertex : inside.vertices)
-                vertex.normal = -vertex.normal;
-            for (std::size_t i = 0; i < inside.indices.size(); i += 3)
-                std::swap(inside.indices[i], inside.indices[i + 1]);
         }
         FrameInspector frame(context, finished(std::move(scene)), noLight(), mobileAt(32),
                              lookAt({0.4, 0.4, 0.4}, {1, 1, 1}, 60));
@@ -318,6 +323,41 @@ TEST(Gather, NoLightPassesAThinWall) {
         EXPECT_LE(lightOfHalf(0.3, 0.5, angleDeg, -1.0), ofThin * lit) << angleDeg;
         EXPECT_LE(lightOfHalf(0.7, 0.5, angleDeg, -1.0), ofThick * lit) << angleDeg;
     }
+}
+
+// A house of thick walls with two rooms and a wall of 0.74 voxel between them. A lamp lights one room. The
+// corners of the other show what passes where the wall meets the ceiling, the floor and other walls.
+TEST(Gather, NoLightPassesBetweenTheRoomsOfAHouse) {
+    const Context context = openContext(Backend::egl);
+    const glm::dvec3 house(2, 0.75, 2), litRoom(1.875, 0.625, 1.0625), darkRoom(1.875, 0.625, 0.7875);
+    const glm::dvec3 litCentre(0, 0, -0.40625), darkCentre(0, 0, 0.54375);
+    const auto lightOf = [&](const glm::dvec3& axis, double angleDeg, const glm::dvec3& eye,
+                             const glm::dvec3& target) {
+        Scene scene = emptyScene();
+        addBox(scene, house, {}, 0);
+        addRoom(scene, litRoom, litCentre);
+        addRoom(scene, darkRoom, darkCentre);
+        addQuad(scene, {-0.1, 0.25, -0.5}, {0.2, 0, 0}, {0, 0, 0.2}, addEmitter(scene));
+        const glm::dmat4 turn = turnScene(scene, angleDeg, axis);
+        const auto turned = [&](const glm::dvec3& p) { return glm::dvec3(turn * glm::dvec4(p, 1.0)); };
+        FrameInspector frame(context, finished(std::move(scene)), noLight(), mobileAt(64),
+                             lookAt(turned(eye), turned(target), 75));
+        return frame.spreadOf(Output::irradiance).mean;
+    };
+    const glm::dvec3 y(0, 1, 0), x(1, 0, 0);
+    const double lit = lightOf(y, 0.0, litCentre, {0.5, -0.2, 0.1});
+    ASSERT_GT(lit, 0.1);
+    struct Turned {
+        glm::dvec3 axis;
+        double angleDeg, bound;
+    };
+    for (const auto& [axis, angleDeg, bound] :
+         {Turned{y, 0, 0.0}, Turned{y, 20, 5e-5}, Turned{y, 40, 0.003}, Turned{x, 15, 1e-5}})
+        for (const double corner : {-1.0, 1.0})
+            EXPECT_LE(lightOf(axis, angleDeg, {0.65 * corner, 0.1 * corner, 0.4},
+                              {0.9 * corner, 0.3 * corner, 0.15}),
+                      bound * lit)
+                << axis.x << angleDeg << corner;
 }
 
 // A bar on the dark side of a thin wall, so thin that the voxels miss it. In the blocks around, the only

@@ -68,9 +68,8 @@ void addBall(Scene& scene, double radius, const glm::dvec3& centre, int material
     scene.meshes.push_back(std::move(mesh));
 }
 
-glm::dmat4 turnScene(Scene& scene, double angleDeg) {
-    const glm::dmat4 rotation =
-        glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));
+glm::dmat4 turnScene(Scene& scene, double angleDeg, const glm::dvec3& axis) {
+    const glm::dmat4 rotation = glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(axis));
     for (Instance& instance : scene.instances)
         instance.worldFromObject = rotation * instance.worldFromObject;
     return rotation;

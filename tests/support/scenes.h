@@ -23,8 +23,8 @@ void addBox(Scene& scene, const glm::dvec3& sides, const glm::dvec3& centre = gl
 // Adds a ball of 64 x 32 rectangles, smooth.
 void addBall(Scene& scene, double radius, const glm::dvec3& centre, int material = 0);
 
-// Turns everything around (1, 2, 3) through the origin, and returns the rotation.
-glm::dmat4 turnScene(Scene& scene, double angleDeg);
+// Turns everything around an axis through the origin, and returns the rotation.
+glm::dmat4 turnScene(Scene& scene, double angleDeg, const glm::dvec3& axis = {1, 2, 3});
 
 // A cube of side 2 around the origin whose inside is the front; turned by `angleDeg`.
 Scene closedBox(double angleDeg);
