@@ -46,7 +46,8 @@ mediump vec4 irradianceInBrick(uint brick, vec3 across) {
 }
 
 // The filtered content of the brick of a block's face at a position of a surface with this normal. If
-// `hasSides`, a position beside a thin wall takes its own side. `hasWalls` becomes true if there is a wall.
+// `hasSides`, a position beside a thin wall takes its own side, if need be of the next block. `hasWalls`
+// becomes true if there is a wall.
 mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, vec3 normal, bool hasSides,
                                inout bool hasWalls) {
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
@@ -58,7 +59,16 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, ve
     hasWalls = hasWalls || isBesideWall;
     for (int i = isBesideWall ? 0 : 2; i < 2; ++i) {
         uint word = texelFetch(walls, wallTexel(texel, i, blocks * cascades), 0).r;
-        moved = besideWall(word, position, moved, normalAcross).yxz;
+        moved = besideWall(word, position, moved, normalAcross);
+        // The texels of the position's own side may begin in the next block.
+        int across = (axis + 1 + i) % 3;
+        ivec3 next = block;
+        next[across] += int(step(5.51, moved.x)) - int(step(moved.x, 0.49));
+        next = clampToCascade(next, block, blocks);
+        moved.x = clamp(moved.x - float(VCT_BRICK_SIDE * (next - block)[across]), 0.501, 5.499);
+        block = next;
+        brick = brickAt(block, axis, side);
+        moved = moved.yxz;
         position = position.yxz;
         normalAcross = normalAcross.yxz;
     }

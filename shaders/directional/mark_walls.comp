@@ -96,7 +96,7 @@ void mark(ivec3 voxel, int face, int axis, ivec3 wallVoxel, SurfacePlane middle,
         float inBrick = position - first[axis] + dot(wall.slope, toTexel - toWall);
         wall.position =
             position - first[axis] + dot(wall.slope, vec2(0.5 * float(VCT_BRICK_TEXELS)) - toWall);
-        if (clamp(inBrick, 0.0, float(VCT_BRICK_TEXELS)) != inBrick ||
+        if (clamp(inBrick, 0.5 - wall.above, float(VCT_BRICK_TEXELS) - 0.5 + wall.below) != inBrick ||
             clamp(wall.position, wallPositions.x, wallPositions.y) != wall.position ||
             block != clampToCascade(block, own, frame.gridSide >> VCT_BRICK_LEVEL))
             continue;

@@ -8,9 +8,10 @@
 // from the plane, along that axis, the texels above and those below begin that are of one side alone; 5 bits
 // for the change of the position along the other of the two axes, and 6 along the axis that the faces look
 // along; a bit for each of the block's four layers of voxels along the other axis that the wall crosses.
-// Lengths are in texels, which are as large as voxels.
-const vec2 wallPositions = vec2(-2.0, 8.0), wallOtherSlopes = vec2(-1.05, 1.05),
-           wallFaceSlopes = vec2(-2.1, 2.1), wallDistances = vec2(-1.75, 2.0);
+// Lengths are in texels, which are as large as voxels. A slope of 0 is stored exactly: along a wall that
+// follows an axis, an error would begin the texels of one side in steps.
+const vec2 wallPositions = vec2(-3.5, 9.5), wallOtherSlopes = vec2(-1.05, 1.12),
+           wallFaceSlopes = vec2(-2.1, 2.31), wallDistances = vec2(-1.75, 2.0);
 
 struct ThinWall {
     float position, above, below;
@@ -41,6 +42,11 @@ ivec3 wallTexel(ivec3 brickTexel, int word, int depth) {
     return brickTexel + ivec3(0, 0, word * depth);
 }
 
+// Rounds up, with a gradual change above integers, because walls are known to a tenth of a texel.
+float softCeil(float x) {
+    return floor(x) + min(fract(x) * 5.0, 1.0);
+}
+
 // Moves a position in a brick to where the filter reads texels of the position's own side of a wall. `moved`:
 // the position after another wall has moved it. Its components, and those of `position` and the normal, are
 // along the axis that the wall mostly crosses, along the other of the two axes that the faces span, both in
@@ -55,10 +61,13 @@ vec3 besideWall(uint word, vec3 position, vec3 moved, vec3 normal) {
     float way = isAbove ? 1.0 : -1.0, distance = unpackField(word, isAbove ? 19 : 15, 4, wallDistances);
     // The filter reads two layers of texels along each of the other axes. The wall is nearer to one of them.
     vec2 nearer = way * sign(slope), layer = nearer * ceil(nearer * (position.yz - 0.5)) + 0.5;
-    float nearest = ceil(way * (wall + dot(slope, layer - position.yz)) + distance - 0.5) + 0.5;
+    float nearest = way * (wall + dot(slope, layer - position.yz)) + distance - 0.5;
+    // Up to the next pair of layers the position changes gradually, so that a slanted wall leaves no steps.
+    float towardsNext = 1.0 - nearer.x * (layer.x - position.y);
+    nearest = mix(softCeil(nearest), softCeil(nearest + abs(slope.x)), towardsNext) + 0.5;
     // At the middle of a texel, rounding must not give the texel before it a weight.
     const float rounding = 0.001;
-    float aside = clamp(way * max(way * position.x, nearest), 0.5, 5.5) + rounding - position.x;
+    float aside = way * max(way * position.x, nearest) + rounding - position.x;
     // It stays on the surface.
     float steepness = clamp(-normal.x / (abs(normal.z) > 0.1 ? normal.z : 0.1), -2.0, 2.0);
     return moved + aside * vec3(1.0, 0.0, steepness);

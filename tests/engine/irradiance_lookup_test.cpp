@@ -50,6 +50,43 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     EXPECT_GT(within.sum, 0.0);
 }
 
+// A thin wall meets a ceiling, straight and turned. Along the wall the light of the ceiling changes smoothly,
+// although pixels beside the wall take texels that begin at a voxel of their own side.
+TEST(IrradianceLookUp, HasNoTeethAlongAThinWall) {
+    const Context context = openContext(Backend::egl);
+    const double voxel = 2.0 / 60.0, thickness = 0.74 * voxel;
+    for (const double angleDeg : {0.0, 20.0, 35.0}) {
+        Scene scene = closedBox(0.0);
+        addBox(scene, {thickness, 2, 2});
+        scene.materials.push_back(scene.materials[0]);
+        scene.materials[1].emissive = glm::vec3(1.0F);
+        addQuad(scene, {0.99, -0.5, -0.5}, {0, 0, 1}, {0, 1, 0}, 1);
+        const glm::dmat4 turn = turnScene(scene, angleDeg, {0, 1, 0});
+        const auto turned = [&](const glm::dvec3& p) { return glm::dvec3(turn * glm::dvec4(p, 1.0)); };
+        FrameInspector frame(context, finished(std::move(scene)), noLight(), mobileAt(256),
+                             lookAt(turned({0.35, 0.4, 0.02}), turned({0.05, 1, 0}), 70));
+        const Image image = frame.view(Output::irradiance);
+        const std::vector<SurfacePixel>& pixels = frame.pixels();
+        const auto isNearWall = [&](std::size_t i) {
+            const glm::dvec3 at(glm::inverse(turn) * glm::dvec4(pixels[i].positionWorld, 1.0));
+            const double fromWall = (at.x - 0.5 * thickness) / voxel;
+            return pixels[i].surface && pixels[i].normal.y < -0.9 && fromWall > 0.1 && fromWall < 2.0 &&
+                   std::abs(at.z) < 0.8;
+        };
+        int count = 0;
+        double largest = 0.0;
+        for (std::size_t i = 0; i + static_cast<std::size_t>(image.width) < pixels.size(); ++i)
+            for (const std::size_t next : {i + 1, i + static_cast<std::size_t>(image.width)}) {
+                if (!isNearWall(i) || !isNearWall(next)) continue;
+                const float a = image.pixels[i].x, b = image.pixels[next].x;
+                largest = std::max(largest, std::abs(a - b) / std::max<double>(std::min(a, b), 1e-6));
+                ++count;
+            }
+        ASSERT_GT(count, 2000);
+        EXPECT_LE(largest, 0.004) << angleDeg;
+    }
+}
+
 // Rounding decides which of two voxels, and so bricks, holds a fragment.
 TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
     const Context context = openContext(Backend::egl);
