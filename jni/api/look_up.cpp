@@ -69,6 +69,7 @@ class DeclaredNames {
             names_.insert(last_);
         last_.clear();
         if (c == '=' && braces_ + parentheses_ == 0) isInitializer_ = true;
+        if (c == ',' && braces_ + parentheses_ == 0) isInitializer_ = false;
         if (c == '(') ++parentheses_;
         if (c == ')') --parentheses_;
         if (c == '{') ++braces_;

@@ -105,10 +105,13 @@ void Renderer::render(const RenderRequest& request) {
 }
 
 void Renderer::prepareVoxels(const Camera& camera) {
+    if (lastFrameFailed_) invalidateCaches();
+    lastFrameFailed_ = true;
     cascades_.follow(eyeInVolume(camera, volume_));
     uploadFrameUniforms(camera, voxelizedCascades_);
     voxels().prepare(scene_, cascades_);
     voxelizedCascades_ = cascades_;
+    lastFrameFailed_ = false;
 }
 
 }  // namespace vct

@@ -196,7 +196,7 @@ bool BenchRun::linkNext() {
 
 // Some drivers compile a program when it is first used. In a frame of a measurement's size that would take
 // the time of a frame besides, and an interrupted frame is rendered again for each program. So these frames
-// are small, and show a part of the scene.
+// are small, and show a part of the scene, whose static geometry is voxelized in a part of its own.
 bool BenchRun::useNext() {
     if (run_ < usedRuns_ || run_ >= runs_.size()) return false;
     if (!small_) {
@@ -207,12 +207,23 @@ bool BenchRun::useNext() {
         small_.emplace(smallPart(*input_.scene), input_.light, settings, input_.capabilities, input_.shaders,
                        input_.programs);
         smallFrames_ = 0;
+        isSmallPrepared_ = false;
         return true;
     }
     const std::vector<Output> modes = modesFromText(config().modes);
-    const Output mode = modes[smallFrames_ / warmUpFrames];
-    if (input_.programs->runLimited([&] { small_->render({{mode}, camera_}); })) ++smallFrames_;
-    if (smallFrames_ < modes.size() * warmUpFrames) return true;
+    const std::size_t framesOfMode = warmUpFrames + 1;
+    const Output mode = modes[smallFrames_ / framesOfMode];
+    if (!isSmallPrepared_) {
+        isSmallPrepared_ = input_.programs->runLimited([&] { small_->prepareVoxels(camera_); });
+        return true;
+    }
+    RenderRequest request{{mode}, camera_};
+    // The first frame of a mode keeps the light of the mode before, so that it has little else to do than the
+    // last pass, which takes the longest to compile.
+    if (smallFrames_ % framesOfMode == 0) request.lightSteps = LightSteps::none;
+    isSmallPrepared_ = input_.programs->runLimited([&] { small_->render(request); });
+    if (isSmallPrepared_) ++smallFrames_;
+    if (smallFrames_ < modes.size() * framesOfMode) return true;
     small_.reset();
     usedRuns_ = run_ + 1;
     return false;

@@ -119,6 +119,7 @@ class BenchRun {
     bool isPrepared_ = false;                          // renderer_ has voxelized the static geometry
     std::optional<Renderer> small_;                    // of useNext()
     std::size_t smallFrames_ = 0;                      // that it has rendered
+    bool isSmallPrepared_ = false;                     // it has its voxels; an interrupted frame loses them
     std::size_t usedRuns_ = 0;                         // runs whose programs were all used
     TimingsReport timings_;                            // timings of the current run
     nlohmann::ordered_json counters_;                  // the GPU's counters by mode, of the current run

@@ -213,7 +213,10 @@ uint walk(Ray ray, vec3 origin, int cascade, float end, inout float now) {
 // Traces a ray from `start`, in voxels of the cascade `own`, up to the distance `reach`, through some of the
 // geometry. The direction has unit length. The ray goes on in the next coarser cascade where it leaves one.
 RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, uint geometry) {
-    direction = mix(direction, vec3(1e-5), lessThan(abs(direction), vec3(1e-5)));
+    // Each step goes on by at least a thousandth of a voxel, which floats resolve up to here. So every ray
+    // ends.
+    start = clamp(start, vec3(-4096.0), vec3(4096.0));
+    direction = mix(vec3(1e-5), direction, greaterThan(abs(direction), vec3(1e-5)));  // no NaN either
     vec3 ahead = step(0.0, direction);
     Ray ray = Ray(direction, 1.0 / direction, ahead, dice, geometry, layersOf(geometry));
     float distance = 0.0;

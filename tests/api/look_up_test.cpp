@@ -1,7 +1,10 @@
 // The look-up of irradiance (lookUpGlsl(), bindLookUp()), against path tracing: references/points/ holds
 // points of rooms with their irradiance (tools/evaluation/points.py).
 #include <cmath>
+#include <ctime>
 #include <iostream>
+#include <limits>
+#include <random>
 #include <set>
 
 #include "api/gl_state.h"
@@ -89,6 +92,32 @@ TEST_F(Embedded, LookUpTakesTheBindingsOfTheProgramAndNoOthers) {
 
     GlobalIllumination thesis(getProcAddress, described_.scene, optionsOf("thesis"));
     expectMentions(errorOf([&] { thesis.lookUpGlsl(); }), {"preset thesis has no look-up"});
+}
+
+// From so far away a float cannot tell voxels apart, and a ray that began there would never leave a voxel. A
+// phone ends programs whose shaders take seconds. llvmpipe ends a loop after 65536 steps.
+TEST_F(Embedded, RaysFromAnywhereEnd) {
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+    light.render(described_.view());
+    // The processor's time for rays from points at a distance, in voxels, towards points among the voxels.
+    const auto secondsFrom = [&](float distance) {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<float> place(4, 60), turn(-1, 1);
+        Image rays(2, 2048);
+        for (int i = 0; i < rays.height; ++i) {
+            const glm::vec3 target(place(random), place(random), place(random));
+            rays.at(1, i) = glm::normalize(glm::vec3(turn(random), turn(random), turn(random)));
+            rays.at(0, i) = target - distance * rays.at(1, i);
+        }
+        const std::clock_t start = std::clock();
+        lookedUp(
+            light, rays,
+            "vec3(vct_traceRay(points[i].xyz, 0, points[i + 1u].xyz, 1e9, 0.5, vct_allGeometry).distance)");
+        return double(std::clock() - start) / CLOCKS_PER_SEC;
+    };
+    secondsFrom(1);  // compiles the program
+    for (const float distance : {1e2F, 1e4F, 1e5F, 1e9F, std::numeric_limits<float>::quiet_NaN()})
+        EXPECT_LT(secondsFrom(distance), 2.0) << distance;
 }
 
 INSTANTIATE_TEST_SUITE_P(Rooms, LookUp,

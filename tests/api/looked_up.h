@@ -71,12 +71,16 @@ struct DescribedScene {
 inline const char* const ownNames = R"(
 struct Cone { vec3 faces; };
 uniform vec3 irradiance, normal, frame;
+const vec3 allGeometry = vec3(1.0), wallDistances = vec3(2.0);
 vec3 radianceOf(Cone emitters) { return emitters.faces * irradiance * normal + frame; }
 float levelAt(vec3 position) { return position.x; }
 )";
 
-// Positions and normals to irradiance, by a compute shader of the program's own.
-inline std::vector<glm::vec3> lookedUp(const GlobalIllumination& light, const Image& points) {
+// Positions and normals to irradiance, or to another value of `points[i]` and `points[i + 1u]`, by a compute
+// shader of the program's own.
+inline std::vector<glm::vec3> lookedUp(
+    const GlobalIllumination& light, const Image& points,
+    const std::string& value = "irradianceAt(points[i].xyz, points[i + 1u].xyz)") {
     const LookUpBindings bindings{3, 2, 1};
     const std::string source = "#version 310 es\nprecision highp float;\nprecision highp int;\n" +
                                light.lookUpGlsl(bindings) + ownNames + R"(
@@ -84,7 +88,8 @@ layout(local_size_x = 1) in;
 layout(std430, binding = 0) buffer Points { vec4 points[]; };
 void main() {
     uint i = 2u * gl_GlobalInvocationID.x;
-    points[i] = vec4(irradianceAt(points[i].xyz, points[i + 1u].xyz), 1.0);
+    points[i] = vec4()" + value +
+                               R"(, 1.0);
 })";
     const char* text = source.c_str();
     const GLuint shader = gl::CreateShader(GL_COMPUTE_SHADER), program = gl::CreateProgram();

@@ -33,12 +33,14 @@ exec '{program}' "$@"
 
 @pytest.fixture(scope="session", autouse=True)
 def unrefined(tmp_path_factory):
-    """Puts a program that leaves the refinement out in the place of ctest's, also for the tools that the tests run."""
+    """Puts a program that leaves the refinement out in the place of ctest's, also for the tools that the tests run. Returns the path
+    of ctest's."""
     if path := os.environ.get("VCT_PROGRAM"):
         script = tmp_path_factory.mktemp("program") / "vct"
         script.write_text(WITHOUT_REFINEMENT.format(program=path))
         script.chmod(0o755)
         os.environ["VCT_PROGRAM"] = str(script)
+    return path
 
 
 @pytest.fixture(scope="session")

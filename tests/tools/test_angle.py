@@ -119,8 +119,8 @@ def test_pictures_over_lavapipe(program, angle, tmp_path, scene):
     assert unlike(reference, found) <= MAX_FRACTION
 
 
-def test_the_apps_self_test_passes(program, angle):
-    tests = pathlib.Path(program).parent / "tests/vct_tests"
+def test_the_apps_self_test_passes(unrefined, program, angle):
+    tests = pathlib.Path(unrefined).parent / "tests/vct_tests"
     done = subprocess.run([tests, "--gtest_filter=Backends/SelfTestOn.Passes/egl"], env=environment(angle, "swiftshader"),
                           capture_output=True, text=True, check=False)
     assert done.returncode == 0 and "[  PASSED  ] 1 test" in done.stdout, done.stdout
