@@ -42,11 +42,6 @@ ivec3 wallTexel(ivec3 brickTexel, int word, int depth) {
     return brickTexel + ivec3(0, 0, word * depth);
 }
 
-// Rounds up, with a gradual change above integers, because walls are known to a tenth of a texel.
-float softCeil(float x) {
-    return floor(x) + min(fract(x) * 5.0, 1.0);
-}
-
 // Moves a position in a brick to where the filter reads texels of the position's own side of a wall. `moved`:
 // the position after another wall has moved it. Its components, and those of `position` and the normal, are
 // along the axis that the wall mostly crosses, along the other of the two axes that the faces span, both in
@@ -64,7 +59,7 @@ vec3 besideWall(uint word, vec3 position, vec3 moved, vec3 normal) {
     float nearest = way * (wall + dot(slope, layer - position.yz)) + distance - 0.5;
     // Up to the next pair of layers the position changes gradually, so that a slanted wall leaves no steps.
     float towardsNext = 1.0 - nearer.x * (layer.x - position.y);
-    nearest = mix(softCeil(nearest), softCeil(nearest + abs(slope.x)), towardsNext) + 0.5;
+    nearest = mix(ceil(nearest), ceil(nearest + abs(slope.x)), towardsNext) + 0.5;
     // At the middle of a texel, rounding must not give the texel before it a weight.
     const float rounding = 0.001;
     float aside = way * max(way * position.x, nearest) + rounding - position.x;
