@@ -45,6 +45,8 @@ Settings presetSettings(const std::string& name) {
 GatherSettings Settings::gatherOfFrames() const {
     GatherSettings result = gather;
     if (revoxelize && cascades == 1) result.directions = std::min(result.directions, 16);
+    // The hits of the faces of all cascades are most of their memory. Eight lie together.
+    if (cascades > 1) result.directions = std::max(result.directions / 2, 8);
     return result;
 }
 
