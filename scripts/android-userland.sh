@@ -47,7 +47,7 @@ if [[ $abi == arm64-v8a ]]; then
     compile=(aarch64-linux-gnu-g++)
     # See scripts/arm64.sh.
     export LP_NUM_THREADS=1 GALLIVM_PERF=no_aos_sampling
-    host=(qemu-aarch64-static -L "$sysroot" "${host[@]}") options=(--emulated)
+    host=(qemu-aarch64-static -R 512G -L "$sysroot" "${host[@]}") options=(--emulated)
 else
     grep -q '\bfsgsbase\b' /proc/cpuinfo || fail "this processor has no instructions for the thread pointer (fsgsbase)"
     compile=(g++ -mfsgsbase)

@@ -39,8 +39,9 @@ scripts/build.sh arm64 vct_tests
 
 # One thread, because most of the time goes into the driver's compiler, which uses only one. On ARM, llvmpipe filters 8-bit textures
 # with 8 bits unless no_aos_sampling is set. Neither a phone nor llvmpipe on x86 with AVX does so, and weak light in voxels would be
-# lost.
-emulate=(qemu-aarch64-static -L "$sysroot" -E LP_NUM_THREADS=1 -E GALLIVM_PERF=no_aos_sampling)
+# lost. A reserved address space (-R) keeps mappings together: the driver's code reaches constants within 4 GiB only, and without
+# it QEMU may place them further away, where the code reads a wrong address (llvm/llvm-project#71963).
+emulate=(qemu-aarch64-static -R 512G -L "$sysroot" -E LP_NUM_THREADS=1 -E GALLIVM_PERF=no_aos_sampling)
 out="$PWD/build/arm64/out"
 rm -rf "$out"
 mkdir -p "$out"
