@@ -61,11 +61,11 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, ve
         uint word = texelFetch(walls, wallTexel(texel, i, blocks * cascades), 0).r;
         moved = besideWall(word, position, moved, normalAcross);
         // The texels of the position's own side may begin in the next block.
-        int across = (axis + 1 + i) % 3;
-        ivec3 next = block;
-        next[across] += int(step(5.51, moved.x)) - int(step(moved.x, 0.49));
-        next = clampToCascade(next, block, blocks);
-        moved.x = clamp(moved.x - float(VCT_BRICK_SIDE * (next - block)[across]), 0.501, 5.499);
+        float aside = step(5.51, moved.x) - step(moved.x, 0.49);
+        ivec3 next =
+            clampToCascade(block + ivec3(fromAcross(i == 0 ? vec2(aside, 0.0) : vec2(0.0, aside), 0.0, axis)),
+                           block, blocks);
+        moved.x = clamp(next == block ? moved.x : moved.x - float(VCT_BRICK_SIDE) * aside, 0.501, 5.499);
         block = next;
         brick = brickAt(block, axis, side);
         moved = moved.yxz;
