@@ -253,6 +253,8 @@ TEST(EmptyPicture, SaysWhy) {
     expectMentions(program.err, {"warning: the picture is black", "or they are black"});
     rendered(program, triangleOf(0.0F), "--sky 1,1,1 --camera eye=0.25,0.3,0.8,target=0.25,0.3,0,fov=10");
     expectMentions(program.err, {"warning: the picture is black", "or they are black"});
+    rendered(program, triangleOf(0.002F), "--sky 0,0,0 --light intensity=3");
+    expectMentions(program.err, {"warning: little of the scene's light reaches the picture", "--camera"});
     GltfBuilder scene = triangleOf(0.5F);
     scene.document["extensionsUsed"].push_back("KHR_lights_punctual");
     scene.document["extensions"]["KHR_lights_punctual"]["lights"].push_back(
