@@ -60,7 +60,8 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, ve
     for (int i = isBesideWall ? 0 : 2; i < 2; ++i) {
         uint word = texelFetch(walls, wallTexel(texel, i, blocks * cascades), 0).r;
         moved = besideWall(word, position, moved, normalAcross);
-        // The texels of the position's own side may begin in the next block.
+        // The texels of the position's own side may begin in the next block. A brick is filtered between the
+        // middles of its outer texels, at 0.5 and 5.5.
         float aside = step(5.51, moved.x) - step(moved.x, 0.49);
         ivec3 next =
             clampToCascade(block + ivec3(fromAcross(i == 0 ? vec2(aside, 0.0) : vec2(0.0, aside), 0.0, axis)),
