@@ -12,9 +12,9 @@ struct Objects {
 };
 
 // The next objects that a face has to look for, from `i` on: those that fill at least about a thousandth of
-// its hemisphere, or more if there are many objects. `position`: of the face, in volume space.
+// its hemisphere. `position`: of the face, in volume space.
 Objects nextObjects(FaceRays rays, vec3 position, inout uint i) {
-    float smallest = 0.001 * max(1.0, float(lightStep.objectCount) / 8.0);
+    const float smallest = 0.001;
     Objects found = Objects(vec4(0.0), vec4(0.0), vec4(0.0), vec4(1e9), 0);
     for (; i < lightStep.objectCount && found.count < 4; ++i) {
         vec3 offset = (lightStep.object[i].xyz - position) * rays.axes;
@@ -70,6 +70,27 @@ float distanceTo(uint hit, FaceRays rays, vec3 direction) {
     return distance * voxelsAlongVolume(rays.cascade) / voxelsAlongVolume(cascade);
 }
 
+// The ends of the part of a ray that lies in the box around all moving objects, in voxels.
+vec2 rangeOfObjects(FaceRays rays, vec3 direction) {
+    vec3 inverse = 1.0 / mix(vec3(1e-5), direction, greaterThan(abs(direction), vec3(1e-5)));
+    vec3 atLow = (voxelsFromVolume(lightStep.objectsLow.xyz, rays.cascade) - rays.start) * inverse;
+    vec3 atHigh = (voxelsFromVolume(lightStep.objectsHigh.xyz, rays.cascade) - rays.start) * inverse;
+    vec3 enters = min(atLow, atHigh), exits = max(atLow, atHigh);
+    // Voxels that the objects touch reach beyond the box.
+    return vec2(max(0.0, max(enters.x, max(enters.y, enters.z)) - 1.0),
+                min(exits.x, min(exits.y, exits.z)) + 1.0);
+}
+
+// The nearest dynamic face that a cached ray meets before its hit.
+uint traceObjects(FaceRays rays, vec3 direction, float reach, int number) {
+    vec2 range = rangeOfObjects(rays, direction);
+    float distance;
+    rays.start += range.x * direction;
+    rays.near -= range.x;
+    return traceFrom(rays, direction, min(reach, range.y) - range.x, number, dynamicGeometry | backsOfFaces,
+                     distance);
+}
+
 void main() {
     uint count = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
@@ -98,9 +119,7 @@ void main() {
                 if (!countsInMean(hit)) continue;
                 int number = cachedDirection(rays, d);
                 vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
-                float distance;
-                uint nearer = traceFrom(rays, towards, distanceTo(hit, rays, towards), number,
-                                        dynamicGeometry | backsOfFaces, distance);
+                uint nearer = traceObjects(rays, towards, distanceTo(hit, rays, towards), number);
                 if ((nearer & ~VCT_HIT_NEAR) == VCT_HIT_SKY) continue;
                 faceIrradianceData[lightStep.firstBlocked + first + found] = packBlocked(d, nearer);
                 ++found;

@@ -302,6 +302,7 @@ struct LightStep {
     uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
     uint emitterTurns;     // faces take over the light of a coarser cascade's emitters for so many steps
     BrickRoom bricks[VCT_MAX_CASCADES];  // of each cascade; with dynamic objects, the first one is for all
+    vec4 objectsLow, objectsHigh;        // xyz: the box around the moving objects, volume space
     vec4 object[VCT_MAX_OBJECTS];        // xyz: middle, volume space; w: radius
 };
 

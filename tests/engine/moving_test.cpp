@@ -171,6 +171,31 @@ TEST(MovingInstances, ABoxFillsAConvergedPictureAtOnce) {
     expectFreshLight(stage, context, scene, mobileSettings(), 1.0);
 }
 
+// Each of many small objects hides little of what a surface receives, but all of them together hide much.
+TEST(MovingInstances, ManySmallOnesBlockAsMuchLightAsStaticOnes) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.7F}, {{"translation", {0, 1.6, 0}}, {"scale", {2, 0.2, 2}}});
+    for (int i = 0; i < 64; ++i) {
+        const float x = -1.4F + 0.4F * static_cast<float>(i % 8),
+                    z = -1.4F + 0.4F * static_cast<float>(i / 8);
+        const int cube = addCube(builder, {0.1F, 0.1F, 0.1F},
+                                 {{"translation", {x, 0.1F, z}}, {"scale", {0.13, 0.13, 0.13}}});
+        builder.animate(cube, "translation", {0, 1}, {x, 0.1F, z, x, 0.101F, z});
+    }
+    const Scene scene = load(builder), frozen = frozenAt(scene, 0.0);
+    Settings settings = mobileSettings();
+    settings.lightFrames = 8;  // without the refinement, which finds all objects
+    PlayingScene moving(context, scene, settings), still(context, frozen, settings);
+    moving.convergedAt(0.0);
+    still.convergedAt(0.0);
+    const IrradianceDifference d =
+        differenceOf(readIrradiance(moving.renderer()), readIrradiance(still.renderer()));
+    EXPECT_GT(d.common, 2000U);
+    EXPECT_LE(std::abs(d.bias), 0.015 * d.mean);
+    EXPECT_LE(d.rms, 0.07 * d.mean);
+}
+
 // Objects block more rays than the first step has room for. If it left some out, their light would depend on
 // the order of threads.
 TEST(MovingInstances, BlockAllTheirRaysInTheFirstStepOfAPicture) {

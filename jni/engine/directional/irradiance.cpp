@@ -490,6 +490,12 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.emitterTurns = plan_.emitterTurns;
     values.objectCount = static_cast<std::uint32_t>(objects.size());
     std::copy(objects.begin(), objects.end(), values.object);
+    for (const glm::vec4& object : objects) {
+        const bool isFirst = &object == objects.data();
+        const glm::vec4 low = object - object.w, high = object + object.w;
+        values.objectsLow = isFirst ? low : glm::min(values.objectsLow, low);
+        values.objectsHigh = isFirst ? high : glm::max(values.objectsHigh, high);
+    }
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
 }
