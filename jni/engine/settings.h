@@ -31,7 +31,7 @@ struct GatherSettings {
     int hitBits = 20;           // per cached ray: 24 if half a million ids of faces do not suffice
     int rays = 8;               // rays per face and light step, of those that are new and that refine
     // Rays of all faces of moving objects together that are traced again in a frame in which one moves.
-    int rayBudget = 16384;
+    int rayBudget = 32768;
 
     // The number of directions to choose from.
     int directionSet() const { return std::max(directions, refinedDirections); }

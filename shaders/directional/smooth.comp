@@ -27,6 +27,13 @@ vec4 corrected(vec4 smoothNow, vec4 known, vec4 refined) {
     return max(smoothNow + share * (refined - known), 0.0);
 }
 
+// Keeps a refined mean with the smooth mean of its time. Inside of a moving object, the refining rays show
+// nothing of the light that a face receives once the object has left it.
+void storeRefined(uint id, vec4 refined, vec4 known) {
+    storeFaceMean(id, VCT_MEAN_REFINED, isHidden(id) ? known : refined);
+    storeFaceMean(id, VCT_MEAN_KNOWN, known);
+}
+
 void main() {
     if (gl_GlobalInvocationID.x == 0u) blockedRays = 0u;  // for the next step
     uint count = visitedFaceCount();
@@ -42,8 +49,7 @@ void main() {
         vec4 smoothNow = isRefining() ? faceMean(id, VCT_MEAN_SMOOTH) : window;
         if (lightStep.interrupts != 0u) {
             // The light that is shown in the middle of a refinement becomes the refined mean.
-            storeFaceMean(id, VCT_MEAN_REFINED, faceMean(id, VCT_MEAN_SHOWN));
-            storeFaceMean(id, VCT_MEAN_KNOWN, faceMean(id, VCT_MEAN_SMOOTH));
+            storeRefined(id, faceMean(id, VCT_MEAN_SHOWN), faceMean(id, VCT_MEAN_SMOOTH));
         }
         vec4 before = faceMean(id, VCT_MEAN_SHOWN);
         vec4 known = faceMean(id, VCT_MEAN_KNOWN), refined = faceMean(id, VCT_MEAN_REFINED);
@@ -55,8 +61,7 @@ void main() {
             shown = mix(before, shown, min(float(sight.rays + sight.backs) / float(VCT_DIRECTIONS), 1.0));
         if (lightStep.endsRefinement != 0u) {
             if (id < commands[0].faceCapacity) faceIrradianceData[changedAt(id)] = 0u;
-            storeFaceMean(id, VCT_MEAN_REFINED, shown);
-            storeFaceMean(id, VCT_MEAN_KNOWN, smoothNow);
+            storeRefined(id, shown, smoothNow);
         }
         storeFaceMean(id, VCT_MEAN_SMOOTH, smoothNow);
         storeFaceMean(id, VCT_MEAN_SHOWN, shown);

@@ -367,6 +367,29 @@ TEST(MovingInstances, LeaveNoTraceInTheIrradiance) {
     }
 }
 
+// Light is refined while a box stands on the floor. Once the box has left, nothing of it is seen there.
+TEST(MovingInstances, LeaveNoTraceOfTheRefinementBelowThem) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.7F}, {{"translation", {0, 1, -1.4}}, {"scale", {3, 2, 0.2}}});
+    const int box =
+        addCube(builder, {0.7F, 0.03F, 0.03F}, {{"translation", {0, 0.4, -0.6}}, {"scale", {0.8, 0.8, 0.8}}});
+    builder.animate(box, "translation", {0, 1}, {0, 0.4F, -0.6F, 0, 0.4F, 1.2F});
+    const Scene scene = load(builder);
+    Settings settings = mobileSettings();
+    settings.lightFrames = 16;
+    settings.gather.refinedDirections = 256;
+    PlayingScene left(context, scene, settings), fresh(context, scene, settings);
+    left.convergedAt(0.0);
+    for (int frame = 1; frame <= 8; ++frame)
+        left.frameAt(1.0 - 1e-4 * (8 - frame));
+    fresh.convergedAt(1.0);
+    const IrradianceDifference d =
+        differenceOf(readIrradiance(left.renderer()), readIrradiance(fresh.renderer()));
+    EXPECT_GT(d.common, 5000U);
+    EXPECT_LE(d.rms, 0.05 * d.mean);
+}
+
 // A door shares voxels, and so faces, with the wall beside it. Rays of the static geometry that are traced
 // while the door is closed end at the wall alone.
 TEST(MovingInstances, LeaveADoorwayOpenToRaysThatAreKept) {
