@@ -29,6 +29,7 @@ VERBS = {
     "judge": "the same for your own scene, on one page",
     "sweep": "the same at several grids: time against error",
     "products": "pictures of products, beside path tracing",
+    "thin": "light along ten thin things, beside path tracing",
     "motion": "light and times while camera, light or objects move",
     "cases": "small scenes with known answers",
     "compare": "the presets beside other renderers: three.js, Godot, and Cycles as a check of the references",
