@@ -135,8 +135,10 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
     return sum.rgb / max(sum.a, 1e-4);
 }
 
-// Irradiance of a surface at a position (volume space), relative to E.
+// Irradiance of a surface at a position (volume space), relative to E. A position outside of the volume takes
+// the light at its border, because the textures go on there with the faces of another axis or cascade.
 mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
+    positionVolume = clamp(positionVolume, 0.0, 0.9999);
     LookUpCascade from = lookUpCascade(positionVolume);
     mediump vec3 found = irradianceInCascade(positionVolume, normal, from.cascade);
     if (cascades == 1 || from.share == 1.0) return found;
