@@ -85,35 +85,33 @@ vec3 cornerOffset(uint i) {
 // the faces on the normal's side of each axis, weighted by the square of the normal, as in an ambient cube
 // (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
-// If the voxels around the position have no such faces, other positions are tried. Rounding may have moved a
-// surface on the border of two blocks into the other block: the first eight tries use the bricks of the
-// blocks at most half a voxel away. It may also have moved a surface that ends at a wall, as in a crease, to
-// the wall's other side, so these tries read both sides. A surface so thin that the voxels missed it takes
-// the mean of its block, of faces on the normal's side if possible: six faces with eight fetches each. If the
-// block has no faces of any side, the blocks around it follow, at twice the distance each time. (Faces of the
-// right side in a block further away would often be the outside of a wall.) All tries share the fetch in the
-// loop, because a second fetch would cost registers in every pixel.
+// If the voxels around the position have no such faces, up to fifteen other places are tried. Rounding may
+// have moved a surface on the border of two blocks into the other block: the first eight tries use the bricks
+// of the blocks at most half a voxel away. It may also have moved a surface that ends at a wall, as in a
+// crease, to the wall's other side, so these tries read both sides. A surface so thin that the voxels missed
+// it takes the light in the middle of its block, of faces on the normal's side or else on the other, and then
+// of blocks beside it. All tries share the fetch in the loop, because a second fetch would cost registers in
+// every pixel.
 mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
     // With less coverage the result is unknown.
     const mediump float minCoverage = 0.03;
-    // Weight of faces that do not look to the normal's side, as much as a half float needs for dim light.
-    const mediump float otherSide = 0.01;
-    const uint borderTries = 8u, tries = borderTries + 25u * 48u;
+    const uint borderTries = 8u, tries = borderTries + 7u;
 
     vec3 position = voxelsFromVolume(positionVolume, cascade);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
     vec3 inBrick = positionInBrick(position, block);
     int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
-    float instead = 0.0;  // replaces the normal's component along the axis, if not 0
+    float more = 0.0;  // added to the size of the normal's component along an axis
     mediump vec4 sum = vec4(0.0), surplus = vec4(0.0);  // surplus: not counted beside walls
     bool hasWalls = false;
     for (uint i = 0u;; ++i) {
         do {
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
-            float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
+            float along = dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
+            along += along < 0.0 ? -more : more;
             mediump float weight = along * along;
             mediump vec4 found = irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick, normal,
                                                    i == 0u || i > borderTries, hasWalls);
@@ -121,29 +119,26 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
             surplus += min(weight, hardlyTowards) * found;
         } while (axes > 0);
         if (i == 0u && hasWalls) sum -= surplus;
-        // The 48 fetches of a block belong together.
-        bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;
-        if (i == tries || whole && sum.a >= (inBlocks ? otherSide * minCoverage : minCoverage)) break;
+        if (i == tries || sum.a >= minCoverage) break;
 
         bool onBorder = i < borderTries;
-        uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
         vec3 size = abs(normal);
-        int axis = onBorder ? size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2 : int(face >> 1);
-        float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
-        if (!onBorder) instead = side * (cosine > 0.1 ? cosine : sqrt(otherSide));
-        float aside = onBorder ? 1.0 : around == 0u ? 0.0 : exp2(float(2u + (around - 1u) / 8u));
+        axes = !onBorder ? 7 : size.x >= max(size.y, size.z) ? 1 : size.y >= size.z ? 2 : 4;
+        float aside = onBorder ? 1.0 : i < borderTries + 2u ? 0.0 : float(VCT_BRICK_SIDE);
         int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
-        block = clampToCascade(
-            ivec3(position + aside * cornerOffset(onBorder ? i : around - 1u)) >> VCT_BRICK_LEVEL,
-            ivec3(0, 0, cascade * blocks), blocks);
-        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
-        axes = 1 << axis;
+        block = clampToCascade(ivec3(position + aside * cornerOffset(i)) >> VCT_BRICK_LEVEL,
+                               ivec3(0, 0, cascade * blocks), blocks);
+        inBrick = onBorder ? positionInBrick(position, block) : vec3(3.0);
+        // In the middle of a block, faces along all axes count, on the normal's side or on the other.
+        if (!onBorder) more = i == borderTries + 1u ? -1.5 : 0.5;
     }
     return sum.rgb / max(sum.a, 1e-4);
 }
 
-// Irradiance of a surface at a position (volume space), relative to E.
+// Irradiance of a surface at a position (volume space), relative to E. A position outside of the volume takes
+// the light at its border, because the textures go on there with the faces of another axis or cascade.
 mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
+    positionVolume = clamp(positionVolume, 0.0, 0.9999);
     LookUpCascade from = lookUpCascade(positionVolume);
     mediump vec3 found = irradianceInCascade(positionVolume, normal, from.cascade);
     if (cascades == 1 || from.share == 1.0) return found;

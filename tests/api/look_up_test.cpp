@@ -120,6 +120,28 @@ TEST_F(Embedded, RaysFromAnywhereEnd) {
         EXPECT_LT(secondsFrom(distance), 2.0) << distance;
 }
 
+// A pixel without faces around it costs little more than others. Up to eight of the places have three faces.
+TEST_F(Embedded, TheLookUpTriesSixteenPlacesAtMost) {
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+    light.render(described_.view());
+    Image points(2, 4096);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> place(-0.1F, 1.1F), turn(-1, 1);
+    for (int i = 0; i < points.height; ++i) {
+        points.at(0, i) = {place(random), place(random), place(random)};
+        points.at(1, i) = glm::normalize(glm::vec3(turn(random), turn(random), turn(random)));
+    }
+    const std::vector<glm::vec3> fetches =
+        lookedUp(light, points,
+                 "(vct_irradianceInCascade(points[i].xyz, points[i + 1u].xyz, 0), vec3(float(fetches)))",
+                 "int fetches = 0;\n#define textureLod(map, place, level) (++fetches, textureLod(map, place, "
+                 "level))\n");
+    float most = 0.0F;
+    for (const glm::vec3& each : fetches)
+        most = std::max(most, each.x);
+    EXPECT_EQ(most, 3.0F + 8.0F + 7.0F * 3.0F);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rooms, LookUp,
                          ::testing::Values(Room{"cornell", "mobile"}, Room{"corridor", "mobile"},
                                            Room{"lamp", "mobile"}, Room{"night", "mobile"},

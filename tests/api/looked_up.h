@@ -77,12 +77,13 @@ float levelAt(vec3 position) { return position.x; }
 )";
 
 // Positions and normals to irradiance, or to another value of `points[i]` and `points[i + 1u]`, by a compute
-// shader of the program's own.
+// shader of the program's own. `before`: text before that of the look-up.
 inline std::vector<glm::vec3> lookedUp(
     const GlobalIllumination& light, const Image& points,
-    const std::string& value = "irradianceAt(points[i].xyz, points[i + 1u].xyz)") {
+    const std::string& value = "irradianceAt(points[i].xyz, points[i + 1u].xyz)",
+    const std::string& before = "") {
     const LookUpBindings bindings{3, 2, 1};
-    const std::string source = "#version 310 es\nprecision highp float;\nprecision highp int;\n" +
+    const std::string source = "#version 310 es\nprecision highp float;\nprecision highp int;\n" + before +
                                light.lookUpGlsl(bindings) + ownNames + R"(
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) buffer Points { vec4 points[]; };

@@ -173,5 +173,34 @@ TEST(IrradianceLookUp, AFloorThatEndsAtAWallHasItsOwnLight) {
     EXPECT_LE(light.back(), 1.1 * light[light.size() / 2]);
 }
 
+// A floor goes on beyond the volume. In the texture of bricks, the faces of another axis follow there: those
+// of a bright wall at the volume's other end.
+TEST(IrradianceLookUp, APositionBesideTheVolumeTakesTheLightAtItsBorder) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = emptyScene();
+    scene.materials[0].baseColor = {0, 0, 0, 1};
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].emissive = glm::vec3(10.0F);
+    addQuad(scene, {40, 12, 8}, {0, 0, 48}, {36, 0, 0});
+    addQuad(scene, {0.1, 1, 29.5}, {16, 0, 0}, {0, 22, 0});
+    addQuad(scene, {0.1, 1, 36.0}, {0, 22, 0}, {16, 0, 0}, 1);
+    scene.boundsWorld = boundsForVoxelsAsWorld(64);
+    Settings settings = mobileAt(128);
+    settings.grid = 64;
+    settings.skyRadiance = glm::vec3(1.0F);
+    FrameInspector frame(context, scene, noLight(), settings, lookAt({70, 40, 30.3}, {70, 12, 30.2}, 30));
+    int beside = 0;
+    double least = 1e9, most = 0.0;
+    for (const SeenSurface& seen : frame.seen(Output::irradiance)) {
+        if (seen.surface.positionWorld.x < 64.0) continue;
+        ++beside;
+        least = std::min<double>(least, seen.value.x);
+        most = std::max<double>(most, seen.value.x);
+    }
+    ASSERT_GT(beside, 2000);
+    EXPECT_GE(least, 0.95);
+    EXPECT_LE(most, 1.1);
+}
+
 }  // namespace
 }  // namespace vct::test
