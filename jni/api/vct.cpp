@@ -521,7 +521,7 @@ std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const
     checkBindings("lookUpGlsl", bindings);
     std::vector<std::string> defines = renderer.lookUpDefines();
     unsigned unit = bindings.firstTextureUnit, buffer = bindings.firstUniformBuffer;
-    for (const char* name : {"VOXELS", "DYNAMIC_VOXELS", "BLOCKS", "IRRADIANCE", "BRICKS", "WALLS", "SKY"})
+    for (const char* name : {"VOXELS", "DYNAMIC_VOXELS", "BLOCKS", "BRICKS", "BRICK_PLACES", "WALLS", "SKY"})
         defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(unit++))));
     for (const char* name : {"FRAME", "EMITTERS"})
         defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(buffer++))));

@@ -5,17 +5,17 @@
 #include "shared/commands.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
-layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
+layout(r32ui, binding = VCT_IMAGE_BRICK_PLACES) writeonly uniform highp uimage3D brickPlaces;
 layout(r32ui, binding = VCT_IMAGE_STATIC_WALLS) writeonly uniform highp uimage3D staticWalls;
 layout(location = VCT_UNIFORM_PLACED) uniform uint placed;  // a bit per cascade whose bricks are placed
 layout(location = VCT_UNIFORM_ARRIVED) uniform uvec2 arrived[VCT_MAX_CASCADES];  // isNearArrived()
 
 void main() {
-    ivec3 texel = ivec3(gl_GlobalInvocationID), size = imageSize(brickSlots);
+    ivec3 texel = ivec3(gl_GlobalInvocationID), size = imageSize(brickPlaces);
     if (any(greaterThanEqual(texel, size))) return;
     int side = frame.gridSide >> VCT_BRICK_LEVEL, cascade = texel.z / side;
     if ((placed >> uint(cascade) & 1u) != 0u) {
-        imageStore(brickSlots, texel, uvec4(0u));
+        imageStore(brickPlaces, texel, uvec4(0u));
         if (texel == ivec3(0, 0, cascade * side)) brickLayers[cascade] = 0u;
     }
     ivec3 block = ivec3(texel.x % side, texel.y % side, texel.z);

@@ -6,7 +6,7 @@
 #include "directional/irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
+layout(rgba16f, binding = VCT_IMAGE_BRICKS) writeonly uniform mediump image3D brickTexels;
 layout(location = VCT_UNIFORM_SHOWS_VISIBILITY) uniform uint showsVisibility;
 layout(location = VCT_UNIFORM_PLACED) uniform uint filled;  // a bit per cascade whose faces are written
 
@@ -30,7 +30,7 @@ void storeInBricks(ListedFace listed, vec4 texel) {
         int layer = inBrick[axis] - int(firstLayerOfBrick(brick));
         if (layer < 0 || layer >= int(layersOfBrick(brick))) continue;
         ivec3 inLayers = ivec3(ivec2(acrossFaces(vec3(inBrick), axis)), layer);
-        imageStore(irradianceTexels, firstTexel(brick) + inLayers, texel);
+        imageStore(brickTexels, firstTexel(brick) + inLayers, texel);
     }
 }
 

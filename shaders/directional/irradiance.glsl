@@ -9,9 +9,9 @@
 #include "directional/cascades.glsl"
 #include "directional/walls.glsl"
 
-layout(binding = VCT_TEX_IRRADIANCE) uniform mediump sampler3D irradiance;
-layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(); 0: no brick
-layout(binding = VCT_TEX_WALLS) uniform highp usampler3D walls;    // thin walls across bricks
+layout(binding = VCT_TEX_BRICKS) uniform mediump sampler3D bricks;
+layout(binding = VCT_TEX_BRICK_PLACES) uniform highp usampler3D brickPlaces;  // packBrick(); 0: no brick
+layout(binding = VCT_TEX_WALLS) uniform highp usampler3D walls;               // thin walls across bricks
 
 // The square of a normal's component along an axis whose faces the surface hardly looks towards. Few of these
 // are its own, and beside a wall they would be the wall's, of either side.
@@ -19,7 +19,7 @@ const float hardlyTowards = 0.15;
 
 // The brick of a block's face.
 uint brickAt(ivec3 block, int axis, int side) {
-    return texelFetch(bricks, faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL), 0).r;
+    return texelFetch(brickPlaces, faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL), 0).r;
 }
 
 // The offset from a brick's first texel to a position in the block, or up to half a voxel beside it. In
@@ -38,7 +38,7 @@ mediump vec4 irradianceInBrick(uint brick, vec3 across) {
     float along = across.z - layers.x, stored = clamp(along, 0.5, layers.y - 0.5);
     vec3 texel =
         vec3(across.xy, stored) + vec3(brick & 0xFE0000u, brick & 0x1FC00u, brick & 0x3FFu) * texelsOfUnit;
-    mediump vec4 received = textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
+    mediump vec4 received = textureLod(bricks, texel * (1.0 / vec3(textureSize(bricks, 0))), 0.0);
     // Beside the layers that are stored, the filter would read texels without light.
     mediump float share = (brick & VCT_BRICK_IS_FLAT) != 0u ? 1.0 : max(1.0 - abs(along - stored), 0.0);
     // A selection is cheaper than a branch, because nearly all bricks exist.
@@ -52,7 +52,7 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick, ve
                                inout bool hasWalls) {
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     ivec3 texel = faceTexel(block, axis, side, blocks);
-    uint brick = texelFetch(bricks, texel, 0).r;
+    uint brick = texelFetch(brickPlaces, texel, 0).r;
     vec3 position = vec3(acrossFaces(inBrick, axis), inBrick[axis]), moved = position;
     vec3 normalAcross = vec3(acrossFaces(normal, axis), normal[axis]);
     bool isBesideWall = hasSides && (brick & VCT_BRICK_HAS_WALLS) != 0u;

@@ -10,9 +10,9 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
-layout(r32ui, binding = VCT_IMAGE_BRICKS) coherent uniform highp uimage3D brickSlots;
+layout(r32ui, binding = VCT_IMAGE_BRICK_PLACES) coherent uniform highp uimage3D brickPlaces;
 layout(r32ui, binding = VCT_IMAGE_WALLS) coherent uniform highp uimage3D walls;  // static or of the bricks
-layout(location = VCT_UNIFORM_LEVEL) uniform uint list;  // the list of the walls' faces
+layout(location = VCT_UNIFORM_LIST) uniform uint list;  // the list of the walls' faces
 
 struct Cells {
     uint still;
@@ -49,8 +49,8 @@ void markBrick(ivec3 block, int face, int slot, uint word) {
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     ivec3 place = list == dynamicList ? block : wrappedBlock(block);
     ivec3 texel = faceTexel(place, face >> 1, face & 1, blocks);
-    if (list == dynamicList && imageLoad(brickSlots, texel).r == 0u) return;
-    if (list == dynamicList) imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
+    if (list == dynamicList && imageLoad(brickPlaces, texel).r == 0u) return;
+    if (list == dynamicList) imageAtomicOr(brickPlaces, texel, VCT_BRICK_HAS_WALLS);
     // A failed attempt means that another wall has changed the word, which only grows. The limit is for
     // drivers whose comparison never succeeds.
     ivec3 at = wallTexel(texel, slot, blocks * cascades);

@@ -10,11 +10,10 @@
 #include "directional/light_step.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
-layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
+layout(rgba16f, binding = VCT_IMAGE_BRICKS) writeonly uniform mediump image3D brickTexels;
+layout(r32ui, binding = VCT_IMAGE_BRICK_PLACES) writeonly uniform highp uimage3D brickPlaces;
 layout(r32ui, binding = VCT_IMAGE_WALLS) writeonly uniform highp uimage3D walls;
 layout(binding = VCT_TEX_WALLS) uniform highp usampler3D staticWalls;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint level;    // VCT_BRICK_LEVEL
 layout(location = VCT_UNIFORM_PLACED) uniform uint placed;  // a bit per cascade whose bricks are placed
 
 // A bit for each layer of a block along an axis that has faces. `voxels`: the 64 bits of the block's voxels.
@@ -71,8 +70,7 @@ uint placeOf(ListedFace listed, int cascade) {
     if (isFlat) layers = own;
     uint first = uint(findLSB(layers)), count = uint(findMSB(layers)) - first + 1u;
     // A brick does not go on in the next column of the texture.
-    uint along = uint(imageSize(irradianceTexels).x / VCT_BRICK_TEXELS),
-         high = uint(imageSize(irradianceTexels).z);
+    uint along = uint(imageSize(brickTexels).x / VCT_BRICK_TEXELS), high = uint(imageSize(brickTexels).z);
     for (int attempt = 0; attempt < 3; ++attempt) {
         uint taken = atomicAdd(brickLayers[owner], count);
         if (taken + count > room.layers) return 0u;
@@ -90,10 +88,11 @@ void clearBrick(uint brick) {
     for (int z = 0; z < layers; ++z)
         for (int y = 0; y < VCT_BRICK_TEXELS; ++y)
             for (int x = 0; x < VCT_BRICK_TEXELS; ++x)
-                imageStore(irradianceTexels, first + ivec3(x, y, z), vec4(0.0));
+                imageStore(brickTexels, first + ivec3(x, y, z), vec4(0.0));
 }
 
 void main() {
+    const uint level = uint(VCT_BRICK_LEVEL);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
@@ -102,14 +101,15 @@ void main() {
         if ((placed >> uint(cascade) & 1u) == 0u) continue;
         uint brick = placeOf(listed, cascade);
         if (brick != 0u) clearBrick(brick);
-        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
+        ivec3 texel =
+            faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickPlaces).x / 3);
         for (int word = 0; word < 2; ++word) {
-            ivec3 at = wallTexel(texel, word, imageSize(brickSlots).z);
+            ivec3 at = wallTexel(texel, word, imageSize(brickPlaces).z);
             ivec3 wrapped = wrappedBlock(listed.voxel) - listed.voxel;
             uint ownWall = texelFetch(staticWalls, at + wrapped, 0).r;
             if (brick != 0u && ownWall != 0u) brick |= VCT_BRICK_HAS_WALLS;
             imageStore(walls, at, uvec4(ownWall));
         }
-        imageStore(brickSlots, texel, uvec4(brick));
+        imageStore(brickPlaces, texel, uvec4(brick));
     }
 }

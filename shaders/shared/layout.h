@@ -85,8 +85,8 @@ using glm::vec4;
 #define VCT_TEX_BLOCKS 7          // shared with VCT_TEX_G_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_DEPTH 8    // the shadow map, read without comparison
 #define VCT_TEX_DYNAMIC_VOXELS 9  // present pose
-#define VCT_TEX_IRRADIANCE 10     // the bricks of directional/irradiance.glsl, and their locations
-#define VCT_TEX_BRICKS 11
+#define VCT_TEX_BRICKS 10         // of face irradiance (directional/irradiance.glsl)
+#define VCT_TEX_BRICK_PLACES 11   // the place of each of them in VCT_TEX_BRICKS
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
@@ -96,8 +96,8 @@ using glm::vec4;
 #define VCT_IMAGE_STATIC_WALLS 0  // shared with VCT_IMAGE_VOXELS; no pass needs both
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_WALLS 1  // shared with VCT_IMAGE_VOXELS_NEXT; no pass needs both
-#define VCT_IMAGE_IRRADIANCE 2
-#define VCT_IMAGE_BRICKS 3
+#define VCT_IMAGE_BRICKS 2
+#define VCT_IMAGE_BRICK_PLACES 3
 #define VCT_IMAGE_COUNT 4
 #define VCT_IMAGE_BLOCKS 2
 
@@ -113,7 +113,7 @@ using glm::vec4;
 
 // Locations of uniforms outside of blocks.
 #define VCT_UNIFORM_LEVEL 0             // mip level or list that a pass works on
-#define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_LIST 1              // list that a pass works on (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2          // the cascades whose static geometry has changed, a bit for each
 #define VCT_UNIFORM_PLACED 1            // the cascades whose bricks are placed again, a bit for each

@@ -348,7 +348,7 @@ TEST(CascadesOnAWalk, SetUniformsOnlyOfProgramsThatHaveThem) {
 // The words of the bricks that thin walls cross; 0 for the others.
 std::vector<std::uint32_t> wallWords(const Renderer& renderer) {
     const Irradiance& light = *renderer.directional()->irradiance();
-    const std::vector<std::uint32_t> bricks = readVoxels(*light.bricks(), 0);
+    const std::vector<std::uint32_t> bricks = readVoxels(*light.brickPlaces(), 0);
     std::vector<std::uint32_t> words = readVoxels(*light.walls(), 0);
     for (std::size_t i = 0; i < words.size(); ++i)
         if ((bricks[i] & VCT_BRICK_HAS_WALLS) == 0) words[i] = 0;
@@ -403,7 +403,9 @@ TEST(CascadesOnAWalk, KeepTheBricksOfCascadesThatStay) {
     for (int frame = 1; frame < 8; ++frame) {
         const Cascades before = places;
         const Camera camera = Walk::at(4.0 + 0.4 * frame);
-        const auto readBricks = [&] { return readVoxels(*walking.directional()->irradiance()->bricks(), 0); };
+        const auto readBricks = [&] {
+            return readVoxels(*walking.directional()->irradiance()->brickPlaces(), 0);
+        };
         const std::vector<std::uint32_t> last = readBricks();
         moves += places.follow(eyeInVolume(camera, walking.volume())) ? 1 : 0;
         walking.render({{Output::irradiance}, camera});

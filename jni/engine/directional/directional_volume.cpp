@@ -228,8 +228,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     }
     if (const bool visibility = reads(inputs.output).ambientVisibility; light_->isOutdated(visibility))
         timer.time(Step::irradiance, [&] { light_->fillBricks(voxels_, visibility); });
-    light.irradiance = light_->irradiance();
     light.bricks = light_->bricks();
+    light.brickPlaces = light_->brickPlaces();
     light.walls = light_->walls();
     return light;
 }

@@ -296,7 +296,7 @@ void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {
     bind(voxels);
     fillBricks_.use();
     gl::Uniform1ui(VCT_UNIFORM_SHOWS_VISIBILITY, visibility ? 1 : 0);
-    irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
+    bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_WRITE_ONLY);
     if (placed != 0) fillFrom(voxels, placed, true);
     if (placed != DirectionalVoxels::allCascades) fillFrom(voxels, ~placed, false);
     // The last pass of the frame fetches the bricks.
@@ -434,26 +434,26 @@ void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
 
 // No side of the texture of bricks exceeds the 3D texture size that ES 3.1 guarantees, for grids up to 256^3.
 void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
-    if (irradiance_ && unplacedCascades_ != DirectionalVoxels::allCascades) return;
+    if (bricks_ && unplacedCascades_ != DirectionalVoxels::allCascades) return;
     std::uint32_t layers = 0;
     for (shared::BrickRoom& room : brickRooms_) {
         room.firstLayer = layers;
         layers += room.layers;
     }
-    if (irradiance_ && layers == brickLayers_) return;
+    if (bricks_ && layers == brickLayers_) return;
     brickLayers_ = layers;
     constexpr std::uint32_t maxAlong = bricksHigh / VCT_BRICK_TEXELS;
     const std::uint32_t columns = std::max((layers + bricksHigh - 1) / bricksHigh, 1U),
                         rows = (columns + maxAlong - 1) / maxAlong, along = (columns + rows - 1) / rows;
     const glm::ivec3 size(VCT_BRICK_TEXELS * along, VCT_BRICK_TEXELS * rows, bricksHigh);
-    irradiance_ = gl::Texture::make3d("irradiance", GL_RGBA16F, size.x, size.y, size.z, 1);
-    irradiance_->setFilter(GL_LINEAR, GL_LINEAR);
+    bricks_ = gl::Texture::make3d("bricks", GL_RGBA16F, size.x, size.y, size.z, 1);
+    bricks_->setFilter(GL_LINEAR, GL_LINEAR);
     // Filtering in a brick may also fetch the texels beside it, with a weight of 0. These may be of no brick,
     // but have to be numbers.
-    gl::clearTexture3d(*irradiance_, size.z);
-    if (bricks_) return;
+    gl::clearTexture3d(*bricks_, size.z);
+    if (brickPlaces_) return;
     const glm::ivec3 faces = blocksSize(voxels);
-    bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, faces.x, faces.y, faces.z, 1);
+    brickPlaces_ = gl::Texture::make3d("places of bricks", GL_R32UI, faces.x, faces.y, faces.z, 1);
     // A brick has two words for walls.
     walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
     staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
@@ -504,15 +504,15 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
     voxels.bindLists();
     faceIrradiance_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_IRRADIANCE);
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_LIGHT);
-    bricks_->bind(VCT_TEX_BRICKS);
+    brickPlaces_->bind(VCT_TEX_BRICK_PLACES);
     walls_->bind(VCT_TEX_WALLS);
-    irradiance_->bind(VCT_TEX_IRRADIANCE);
+    bricks_->bind(VCT_TEX_BRICKS);
 }
 
 void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed,
                              const ArrivedVoxels& arrived, bool marksAll) const {
     clearBricks_.use();
-    bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
+    brickPlaces_->bindImage(VCT_IMAGE_BRICK_PLACES, 0, GL_READ_WRITE);
     staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     setArrived(arrived, voxels.cascades());
@@ -524,8 +524,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t plac
     placeBricks_.use();
     staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
-    irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    gl::Uniform1ui(VCT_UNIFORM_LEVEL, VCT_BRICK_LEVEL);
+    bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -538,7 +537,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t plac
 void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
                            bool marksAll) const {
     markWalls_.use();
-    gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
+    gl::Uniform1ui(VCT_UNIFORM_LIST, list);
     if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, marksAll ? 1 : 0);
     words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
@@ -564,8 +563,8 @@ void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll) const
 }
 
 std::vector<const gl::Texture*> Irradiance::textures() const {
-    if (!irradiance_) return {};
-    return {&*irradiance_, &*bricks_, &*walls_, &*staticWalls_};
+    if (!bricks_) return {};
+    return {&*bricks_, &*brickPlaces_, &*walls_, &*staticWalls_};
 }
 
 }  // namespace vct

@@ -93,11 +93,11 @@ class Irradiance {
     void fillBricks(const DirectionalVoxels& voxels, bool visibility);
 
     // True if the bricks have light, and not ambient visibility.
-    bool holdsLight() const { return irradiance_ && !showsVisibility_; }
-    // The textures for shaders/directional/irradiance.glsl; null before the first step. irradiance(): the
-    // bricks themselves. bricks(): for each block and direction, the place of its brick.
-    const gl::Texture* irradiance() const { return irradiance_ ? &*irradiance_ : nullptr; }
+    bool holdsLight() const { return bricks_ && !showsVisibility_; }
+    // The textures for shaders/directional/irradiance.glsl; null before the first step. brickPlaces():
+    // for each block and direction, the place of its brick.
     const gl::Texture* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
+    const gl::Texture* brickPlaces() const { return brickPlaces_ ? &*brickPlaces_ : nullptr; }
     // The thin walls across the bricks: shaders/directional/walls.glsl.
     const gl::Texture* walls() const { return walls_ ? &*walls_ : nullptr; }
     // The light and the hits of faces by their ids: shaders/directional/face_irradiance.glsl.
@@ -173,7 +173,7 @@ class Irradiance {
     std::uint32_t placedCascades_ = 0;  // the bricks of these cascades, a bit each, have to be filled
     bool showsVisibility_ = false;      // the bricks have ambient visibility
     gl::Buffer uniforms_, faceIrradiance_;
-    std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_;
+    std::optional<gl::Texture> bricks_, brickPlaces_, walls_, staticWalls_;
     FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
     std::array<shared::BrickRoom, VCT_MAX_CASCADES> brickRooms_{};

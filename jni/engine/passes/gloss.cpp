@@ -24,8 +24,8 @@ void bind(const GBuffer::Targets& surface, const VoxelLight& light) {
     surface.depth->bind(VCT_TEX_G_DEPTH);
     surface.gloss->bind(VCT_TEX_G_GLOSS);
     light.directional->bindForRays();
-    light.irradiance->bind(VCT_TEX_IRRADIANCE);
     light.bricks->bind(VCT_TEX_BRICKS);
+    light.brickPlaces->bind(VCT_TEX_BRICK_PLACES);
     light.walls->bind(VCT_TEX_WALLS);
 }
 

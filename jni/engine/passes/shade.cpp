@@ -77,9 +77,9 @@ const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, c
     if (surface.gloss != nullptr) surface.gloss->bind(VCT_TEX_G_GLOSS);
     direct.bind();
     if (indirect.packed != nullptr) indirect.packed->bind(VCT_TEX_VOXELS);
-    if (indirect.irradiance != nullptr) {
-        indirect.irradiance->bind(VCT_TEX_IRRADIANCE);
+    if (indirect.bricks != nullptr) {
         indirect.bricks->bind(VCT_TEX_BRICKS);
+        indirect.brickPlaces->bind(VCT_TEX_BRICK_PLACES);
         indirect.walls->bind(VCT_TEX_WALLS);
     }
     noVertices_.bind();
