@@ -21,10 +21,10 @@ struct BakedLight;
 
 // The textures and buffers that the last pass reads. Those that an output does not need are null.
 struct VoxelLight {
-    const gl::Texture* packed = nullptr;       // packed voxels, for the thesis's cones
-    const gl::Texture* bricks = nullptr;       // of face irradiance: shaders/directional/irradiance.glsl
-    const gl::Texture* brickPlaces = nullptr;  // the place of each block's brick in `bricks`
-    const gl::Texture* walls = nullptr;        // thin walls across the bricks
+    const gl::Texture* packed = nullptr;             // packed voxels, for the thesis's cones
+    const gl::Texture* bricks = nullptr;             // bricks of face irradiance
+    const gl::Texture* brickPlaces = nullptr;        // the place of each block's brick in `bricks`
+    const gl::Texture* walls = nullptr;              // thin walls across the bricks
     const DirectionalVoxels* directional = nullptr;  // for the rays of glossy surfaces
 };
 

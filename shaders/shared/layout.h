@@ -85,8 +85,8 @@ using glm::vec4;
 #define VCT_TEX_BLOCKS 7          // shared with VCT_TEX_G_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_DEPTH 8    // the shadow map, read without comparison
 #define VCT_TEX_DYNAMIC_VOXELS 9  // present pose
-#define VCT_TEX_BRICKS 10         // of face irradiance (directional/irradiance.glsl)
-#define VCT_TEX_BRICK_PLACES 11   // the place of each of them in VCT_TEX_BRICKS
+#define VCT_TEX_BRICKS 10         // face irradiance (directional/irradiance.glsl)
+#define VCT_TEX_BRICK_PLACES 11   // the place of each brick
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
