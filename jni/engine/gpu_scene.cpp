@@ -289,6 +289,14 @@ Bounds GpuScene::boundsWith(const Bounds& boundsWorld) const {
     return bounds;
 }
 
+Bounds GpuScene::movingBounds() const {
+    Bounds bounds = noBounds;
+    for (const Moving& moving : moving_)
+        if (moving.isVisible)
+            bounds = united(bounds, boundsOf(cornersOf(moving.boundsWorld), volumeFromWorld_));
+    return bounds;
+}
+
 std::vector<glm::vec4> GpuScene::movingSpheres(std::size_t largest) const {
     std::vector<std::vector<Bounds>> groups(1);
     for (const Moving& moving : moving_)

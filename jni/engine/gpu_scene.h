@@ -57,6 +57,8 @@ class GpuScene {
     bool setMaterial(std::size_t instance, const Material& material, unsigned features);
     // Placements of the dynamic objects in the present pose.
     std::vector<Placement> placements() const;
+    // Bounds of the visible dynamic objects in the present pose, volume space.
+    Bounds movingBounds() const;
     // Bounds of `boundsWorld` and the dynamic objects in the present pose.
     Bounds boundsWith(const Bounds& boundsWorld) const;
     // Spheres around the visible dynamic objects in the present pose, at most `largest`; volume space, the

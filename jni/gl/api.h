@@ -30,7 +30,7 @@ namespace vct::gl {
     X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                     \
     X(GetUniformLocation) X(InvalidateFramebuffer) X(IsBuffer) X(IsTexture) X(LinkProgram) X(MapBufferRange) X(MemoryBarrier)       \
     X(PixelStorei) X(ProgramBinary) X(ProgramParameteri) X(ReadBuffer) X(ReadPixels) X(ReleaseShaderCompiler) X(RenderbufferStorageMultisample) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
-    X(TexParameteri) X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1ui) X(Uniform2ui) \
+    X(TexParameteri) X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1ui) X(Uniform2ui) X(Uniform3fv) \
     X(Uniform4f) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)               \
     X(VertexAttribPointer) X(Viewport)
 

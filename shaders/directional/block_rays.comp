@@ -4,54 +4,44 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-// Up to four objects around a face, as its rays see them: the position of each in the frame of the surface
-// (x, y and z of all four), and the least length of that position's projection onto a ray that passes it.
-struct Objects {
-    vec4 x, y, z, least;
-    int count;
-};
-
-// The next objects that a face has to look for, from `i` on: those that fill at least about a thousandth of
-// its hemisphere. `position`: of the face, in volume space.
-Objects nextObjects(FaceRays rays, vec3 position, inout uint i) {
-    const float smallest = 0.001;
-    Objects found = Objects(vec4(0.0), vec4(0.0), vec4(0.0), vec4(1e9), 0);
-    for (; i < lightStep.objectCount && found.count < 4; ++i) {
-        vec3 offset = (lightStep.object[i].xyz - position) * rays.axes;
-        float squared = dot(offset, offset), radius = lightStep.object[i].w;
-        if (offset.y <= -radius || radius * radius <= smallest * squared) continue;
-        float outside = squared - radius * radius;
-        found.x = vec4(offset.x, found.x.xyz);
-        found.y = vec4(offset.y, found.y.xyz);
-        found.z = vec4(offset.z, found.z.xyz);
-        found.least = vec4(outside > 0.0 ? sqrt(outside) : -1e9, found.least.xyz);
-        ++found.count;
-    }
-    return found;
-}
-
 // A bit for each cached ray.
 const int rayWords = (VCT_DIRECTIONS + 31) / 32;
 
-// The cached rays that pass one of the objects.
+// The cached rays that pass a sphere around an object, a bit for each of four successive ones from `first`
+// on. `offset`: of its middle from the face, in the frame of the surface. `least`: the least length of the
+// offset's projection onto a ray that passes it. `aroundX`, `aroundZ`: cosines and sines of the four
+// azimuths.
+uint raysPast(FaceRays rays, uint first, vec3 offset, float least, vec4 aroundX, vec4 aroundZ) {
+    vec4 squaredSine = gatherSquaredSines(rays.place * VCT_DIRECTIONS + int(first));
+    vec4 along =
+        sqrt(squaredSine) * (offset.x * aroundX + offset.z * aroundZ) + offset.y * sqrt(1.0 - squaredSine);
+    uvec4 bits = uvec4(greaterThan(along, vec4(least))) << uvec4(0u, 1u, 2u, 3u);
+    return bits.x | bits.y | bits.z | bits.w;
+}
+
+// The cached rays that pass one of the objects that fill at least about a thousandth of the face's
+// hemisphere.
 uint[rayWords] raysPastObjects(FaceRays rays) {
+    const float smallest = 0.001;
     // From one cached direction to the next the azimuth turns by a constant angle.
     const float angle = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(goldenStep);
-    const vec2 turn = vec2(cos(angle), sin(angle));
+    const vec4 turns = angle * vec4(0.0, 1.0, 2.0, 3.0);
     uint passing[rayWords];
     for (int w = 0; w < rayWords; ++w)
         passing[w] = 0u;
     vec3 position = volumeFromVoxels(rays.start, rays.cascade);
-    for (uint i = 0u; i < lightStep.objectCount;) {
-        Objects objects = nextObjects(rays, position, i);
-        if (objects.count == 0) break;
-        vec3 first = gatherDirection(cachedDirection(rays, 0u));
-        vec2 around = first.xz / max(length(first.xz), 1e-6);
-        for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
-            float sine = gatherSine(cachedDirection(rays, d)), cosine = sqrt(1.0 - sine * sine);
-            vec4 along = objects.x * (around.x * sine) + objects.y * cosine + objects.z * (around.y * sine);
-            if (any(greaterThan(along, objects.least))) passing[d >> 5u] |= 1u << (d & 31u);
-            around = vec2(around.x * turn.x - around.y * turn.y, around.x * turn.y + around.y * turn.x);
+    float start = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(cachedDirection(rays, 0u));
+    for (uint i = 0u; i < lightStep.objectCount; ++i) {
+        vec3 offset = (lightStep.object[i].xyz - position) * rays.axes;
+        float squared = dot(offset, offset), radius = lightStep.object[i].w;
+        if (offset.y <= -radius || radius * radius <= smallest * squared) continue;
+        float outside = squared - radius * radius, least = outside > 0.0 ? sqrt(outside) : -1e9;
+        vec4 aroundX = cos(start + turns), aroundZ = sin(start + turns);
+        for (uint d = 0u; d < uint(VCT_DIRECTIONS); d += 4u) {
+            passing[d >> 5u] |= raysPast(rays, d, offset, least, aroundX, aroundZ) << (d & 31u);
+            vec4 before = aroundX;
+            aroundX = before * cos(4.0 * angle) - aroundZ * sin(4.0 * angle);
+            aroundZ = before * sin(4.0 * angle) + aroundZ * cos(4.0 * angle);
         }
     }
     return passing;

@@ -109,7 +109,7 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         uint id = visitedFaceId(i);
         ResolvedFace own = resolvedFace(id);
-        if (!own.exists) continue;
+        if (!own.changes) continue;
         uint at = faceAt(id);
         int axis = own.face >> 1;
         SurfacePlane plane = facePlane(id);

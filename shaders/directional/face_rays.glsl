@@ -49,6 +49,13 @@ const int goldenStep = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
 int directionNumber(int i) {
     return i * goldenStep & (VCT_GATHER_DIRECTIONS - 1);
 }
+// The squared sines of the angles between the normal and four successive directions.
+vec4 gatherSquaredSines(int first) {
+    // The number's bits are the first ones of the reversed ones.
+    const int otherBits = 32 - findMSB(VCT_GATHER_DIRECTIONS);
+    uvec4 reversed = bitfieldReverse(uvec4((first + ivec4(0, 1, 2, 3)) * goldenStep)) >> otherBits;
+    return (vec4(reversed) + 0.5) / float(VCT_GATHER_DIRECTIONS);
+}
 // The number of cached direction `d`. A block has 4^3 voxels, and one layer of it 4 x 4 faces. Their cached
 // directions are different runs of the set, which together have all of its directions.
 int cachedDirection(FaceRays rays, uint d) {

@@ -1,6 +1,7 @@
 // Finds which faces beside each face are of the same surface and of the same side of all walls, so that the
 // smoothing may take the mean over them (directional/beside_faces.glsl). It runs when an object has moved,
-// or, for the faces of list_arrived.comp, a cascade.
+// for the faces near it, or, for the faces of list_arrived.comp, a cascade.
+#include "directional/changed.glsl"
 #include "directional/rows.glsl"
 #include "directional/visited.glsl"
 #include "directional/face_irradiance.glsl"
@@ -66,7 +67,7 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         uint id = visitedFaceId(i);
         ListedFace listed = baseFace(id);
-        if (listed.isMerged) continue;
+        if (listed.isMerged || isUnchanged(id, listed.voxel)) continue;
         SurfacePlane plane = facePlane(id);
         Surface surface =
             Surface(surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id)), plane.normal);

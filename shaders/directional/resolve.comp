@@ -8,7 +8,7 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         uint id = visitedFaceId(i);
         ResolvedFace own = resolvedFace(id);
-        if (!own.exists) continue;
+        if (!own.changes) continue;
         FaceSums sums = combinedSums(own.staticCell, movingCell(own), own.face);
         uint visible = visiblePlane(sums, own.face);
         float weight = max(sums.coverage, 1e-4);

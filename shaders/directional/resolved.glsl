@@ -3,6 +3,7 @@
 // static geometry alone, for rays whose hits are kept while objects move. In a scene with cascades in which
 // nothing moves, they visit the faces that have no light yet; the others stay as they are.
 #include "directional/cascades.glsl"
+#include "directional/changed.glsl"
 #include "directional/visited.glsl"
 #include "directional/face_sums.glsl"
 
@@ -15,22 +16,23 @@ struct ResolvedFace {
     int face;
     uint staticCell, dynamicCell;  // of the voxel
     bool isStatic;                 // its surface is that of the static geometry alone
-    bool exists;                   // false: no face has the id
+    bool changes;                  // false: no face has the id, or the pose leaves it as it is
 };
 uint dynamicCellAt(ivec3 voxel) {
     return faceCount(dynamicList) > 0u ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
 }
 ResolvedFace resolvedFace(uint id) {
     ListedFace listed = baseFace(id);
+    if (listed.isMerged && id < commands[0].faceCapacity || isUnchanged(id, listed.voxel))
+        return ResolvedFace(listed.voxel, listed.face, 0u, 0u, false, false);
     uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r, dynamicCell = dynamicCellAt(listed.voxel);
     bool isStatic = listed.isMerged || !hasFace(dynamicCell, listed.face);
-    bool exists = !(listed.isMerged && id < commands[0].faceCapacity);
-    return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, isStatic, exists);
+    return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, isStatic, true);
 }
 // Another voxel, as far as the face's surface may meet others there.
 ResolvedFace inVoxel(ResolvedFace own, ivec3 voxel) {
     return ResolvedFace(voxel, own.face, texelFetch(staticIndex, voxel, 0).r, dynamicCellAt(voxel),
-                        own.isStatic, own.exists);
+                        own.isStatic, own.changes);
 }
 
 // The cell of the dynamic geometry, if the surface has any.

@@ -100,7 +100,7 @@ void DirectionalVolume::voxelize(const GpuScene& scene, const DirectionalVoxeliz
         voxels_.markStatic();
     }
     if (hasDynamic_) voxelizeDynamic(scene, still.cascades);
-    voxels_.resolve(still.moved);
+    voxels_.resolve(still.moved, scene.movingBounds());
 }
 
 void DirectionalVolume::voxelizeDynamic(const GpuScene& scene, const Cascades& cascades) {
@@ -118,7 +118,7 @@ std::uint32_t DirectionalVolume::revoxelize(const GpuScene& scene, const Cascade
     if (moved == 0 && !rebuilds) {
         voxels_.beginPose();
         voxelizeDynamic(scene, cascades);
-        voxels_.resolve(0);
+        voxels_.resolve(0, scene.movingBounds());
         return 0;
     }
     voxels_.beginMove(shifts, moved, rebuilds);
@@ -200,7 +200,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
                                  .sky = before && before->skyChanges != inputs.now.skyChanges,
                                  .all = isJump || (voxelizes && hasDynamic_),
                                  .cascades = isMoved},
-                                shifts);
+                                shifts, voxelizes ? voxels_.changed() : noBounds);
     cachedFor_ = inputs.now;
 
     VoxelLight light;

@@ -354,8 +354,10 @@ std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {
     return faces;
 }
 
-void DirectionalVoxels::resolve(std::uint32_t changed) const {
+void DirectionalVoxels::resolve(std::uint32_t changed, const Bounds& objects) {
     const gl::DebugGroup group("resolve faces");
+    changed_ = changed != 0 ? everywhere : united(objects_, objects);
+    objects_ = objects;
     bindForVoxelization();
     const bool visitsAll = cascades_ == 1 || hasDynamicObjects();
     if (!visitsAll) listFresh();
@@ -364,6 +366,7 @@ void DirectionalVoxels::resolve(std::uint32_t changed) const {
     for (const gl::Program* program : {&resolve_, &extents_}) {
         program->use();
         if (cascades_ > 1) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
+        setChanged(changed_);
         index_.dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
@@ -372,6 +375,12 @@ void DirectionalVoxels::resolve(std::uint32_t changed) const {
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);
     dispatchOverBlocks((hasDynamicObjects() ? 2 : 1) * cascades_ * grid() / VCT_BRICK_SIDE);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void DirectionalVoxels::setChanged(const Bounds& box) {
+    const std::array<glm::vec3, 2> corners{glm::clamp(box.min, everywhere.min, everywhere.max),
+                                           glm::clamp(box.max, everywhere.min, everywhere.max)};
+    gl::Uniform3fv(VCT_UNIFORM_CHANGED, 2, &corners[0][0]);
 }
 
 void DirectionalVoxels::listFresh() const {

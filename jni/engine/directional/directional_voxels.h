@@ -102,8 +102,14 @@ class DirectionalVoxels {
     static constexpr std::uint32_t allCascades = 0xFFFFFFFFU;
     // Writes the occupied voxels of blocks, and the surface and the material of each face, after static
     // geometry and pose have been voxelized. `changed`: the cascades whose static geometry has changed, a bit
-    // for each.
-    void resolve(std::uint32_t changed) const;
+    // for each. `objects`: around the dynamic objects in the pose, volume space.
+    void resolve(std::uint32_t changed, const Bounds& objects);
+    // Around the dynamic objects in the present pose, and the box to which the last resolve() was confined.
+    const Bounds& objects() const { return objects_; }
+    const Bounds& changed() const { return changed_; }
+
+    // Confines the current program, of directional/changed.glsl, to a box, volume space.
+    static void setChanged(const Bounds& box);
 
     // Lists the static faces that have no light yet, in VCT_LIST_VISITED. Only with cascades.
     void listFresh() const;
@@ -141,6 +147,7 @@ class DirectionalVoxels {
     gl::Buffer faceData_, faceSums_;
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0;
+    Bounds objects_ = noBounds, changed_ = noBounds;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
     gl::Program markStatic_, fillBlocks_, resolve_, extents_;
     gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades

@@ -134,7 +134,8 @@ GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     return settings;
 }
 
-void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const CascadeShifts& shifts) {
+void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const CascadeShifts& shifts,
+                                 const Bounds& box) {
     pending_.lists |= change.lists;
     pending_.voxelized |= change.voxelized;
     pending_.light |= change.light;
@@ -143,6 +144,7 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const Casc
     pending_.all |= change.all;
     pending_.cascades |= change.cascades;
     pendingVoxels_.add(shifts);
+    pendingBox_ = united(pendingBox_, box);
     if (change.lists) unplacedCascades_ |= change.all ? DirectionalVoxels::allCascades : change.voxelized;
 }
 
@@ -168,7 +170,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     if (reserveFaces(voxels, change.voxelized != DirectionalVoxels::allCascades)) plan_.listsVisited = true;
     if (isBakedStep_) schedule_.end();
     reserveBricks(voxels);
-    uploadUniforms(objects, allBounces);
+    uploadUniforms(voxels, objects, allBounces);
     // The last frame fetched textures that this step writes, and earlier passes wrote data that it reads.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -182,12 +184,13 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         else if (arrived.any())
             listArrived(voxels, arrived);
         placeBricks(voxels, placed, arrived, isNew);
-        linkFaces(voxels, isNew || voxels.hasDynamicObjects());
+        const Bounds box = std::exchange(pendingBox_, noBounds);
+        linkFaces(voxels, isNew || voxels.hasDynamicObjects(), isNew || arrived.any() ? everywhere : box);
         if (isFirst) {
             // The bricks are counted by placing them.
             onBricksPlaced(voxels.index().readCommands());
             reserveBricks(voxels);
-            uploadUniforms(objects, allBounces);
+            uploadUniforms(voxels, objects, allBounces);
             bind(voxels);
             if (std::exchange(unplacedCascades_, 0) != 0)
                 placeBricks(voxels, DirectionalVoxels::allCascades, {}, true);
@@ -462,7 +465,8 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
 // The layout std140 aligns arrays of structures to 16 bytes.
 static_assert(offsetof(shared::LightStep, bricks) % 16 == 0 && offsetof(shared::LightStep, object) % 16 == 0);
 
-void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const {
+void Irradiance::uploadUniforms(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects,
+                                bool allBounces) const {
     shared::LightStep values{};
     values.frame = plan_.step;
     values.rays = plan_.rays;
@@ -490,12 +494,8 @@ void Irradiance::uploadUniforms(const std::vector<glm::vec4>& objects, bool allB
     values.emitterTurns = plan_.emitterTurns;
     values.objectCount = static_cast<std::uint32_t>(objects.size());
     std::copy(objects.begin(), objects.end(), values.object);
-    for (const glm::vec4& object : objects) {
-        const bool isFirst = &object == objects.data();
-        const glm::vec4 low = object - object.w, high = object + object.w;
-        values.objectsLow = isFirst ? low : glm::min(values.objectsLow, low);
-        values.objectsHigh = isFirst ? high : glm::max(values.objectsHigh, high);
-    }
+    values.objectsLow = glm::vec4(glm::vec3(voxels.objects().min), 0.0F);
+    values.objectsHigh = glm::vec4(glm::vec3(voxels.objects().max), 0.0F);
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
 }
@@ -554,11 +554,12 @@ void Irradiance::listArrived(const DirectionalVoxels& voxels, const ArrivedVoxel
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool linksAll) const {
+void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool visitsAll, const Bounds& box) const {
     linkFaces_.use();
-    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, linksAll ? 1 : 0);
+    if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
+    DirectionalVoxels::setChanged(box);
     voxels.bindForRays();
-    voxels.index().dispatchOverFaces(linksAll ? 0 : VCT_LIST_VISITED);
+    voxels.index().dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -46,8 +46,8 @@ class Irradiance {
     bool hasBitsFor(std::uint32_t ids) const { return ids <= maxIds(settings_.hitBits); }
 
     // Reports a change of the voxels, which the next step takes into account.
-    // `shifts`: the moves of cascades.
-    void onVoxelsChanged(const LightSchedule::Change& change, const CascadeShifts& shifts = {});
+    // `shifts`: the moves of cascades. `box`: DirectionalVoxels::changed().
+    void onVoxelsChanged(const LightSchedule::Change& change, const CascadeShifts& shifts, const Bounds& box);
     // Reports how many cached rays moving objects blocked in an earlier step. The next step has room for as
     // many and some more.
     void onRaysBlocked(std::uint32_t count) {
@@ -121,7 +121,8 @@ class Irradiance {
     // Writes the baked light into the words of the faces. Returns true if all faces have some.
     bool takeBaked(const BakedLight& light, const DirectionalVoxels& voxels,
                    std::vector<std::uint32_t>& words) const;
-    void uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const;
+    void uploadUniforms(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects,
+                        bool allBounces) const;
     // Dispatches a program over the faces that the step visits; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
     void findBlockedRays(const DirectionalVoxels& voxels, bool waits);
@@ -144,8 +145,8 @@ class Irradiance {
                    bool marksAll) const;
     // Lists the static faces that have others around them since voxels have come in.
     void listArrived(const DirectionalVoxels& voxels, const ArrivedVoxels& arrived) const;
-    // Links faces to those beside them: all faces, or those of listArrived().
-    void linkFaces(const DirectionalVoxels& voxels, bool linksAll) const;
+    // Links faces to those beside them: all faces in a box, or those of listArrived().
+    void linkFaces(const DirectionalVoxels& voxels, bool visitsAll, const Bounds& box) const;
 
     GatherSettings settings_;
     int lightFrames_;
@@ -153,7 +154,8 @@ class Irradiance {
     LightSchedule schedule_;
     LightPlan plan_;
     LightSchedule::Change pending_;        // changes that no step has taken into account yet
-    ArrivedVoxels pendingVoxels_;          // the voxels that cascades have reached by them
+    ArrivedVoxels pendingVoxels_;          // the voxels that cascades have reached by them,
+    Bounds pendingBox_ = noBounds;         // and the box in which moving objects have changed static faces
     std::uint32_t forwardedCascades_ = 0;  // the cascades whose lost hits forward_hits replaces, a bit each,
     std::uint32_t forwardTurns_ = 0;       // in so many steps from now on
     gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
