@@ -75,7 +75,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             };
             addRays({"sky", "trace", "gather", "refine", "smooth_rows", "smooth"});
             if (features.movingObjects || settings.revoxelize || settings.cascades > 1)
-                addRays({"carry_over", "carry_hits"});
+                addRays({"carry_over", "carry_hits", "trace_moving"});
             if (settings.cascades > 1) addRays({"forward_hits", "list_visited"});
             if (settings.cascades > 1) add(Step::irradiance, lightProgram("list_arrived", lights));
             if (features.movingObjects) addRays({"block_rays"});

@@ -111,6 +111,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (listsChange) {
         carryOver_.emplace(shaders, raysProgram("carry_over", settings, sources));
         carryHits_.emplace(shaders, raysProgram("carry_hits", settings, sources));
+        traceMoving_.emplace(shaders, raysProgram("trace_moving", settings, sources));
     }
     if (hasCascades) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
@@ -261,6 +262,12 @@ void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t move
     if (--forwardTurns_ == 0) forwardedCascades_ = 0;
 }
 
+void Irradiance::traceMoving(const DirectionalVoxels& voxels) const {
+    traceMoving_->use();
+    voxels.index().dispatchOverFaces(static_cast<int>(voxels.dynamicList()));
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
 void Irradiance::findBlockedRays(const DirectionalVoxels& voxels, bool waits) {
     runOverAll(*block_, voxels);
     if (!waits) return;
@@ -281,6 +288,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, bool waits) {
     voxels.bindForRays();
     if (plan_.updatesSky) runOverAll(sky_, voxels);
     if (plan_.traces) run(trace_, voxels);
+    if (plan_.traces && voxels.hasDynamicObjects()) traceMoving(voxels);
     if (block_ && (plan_.traces || plan_.updatesSky)) findBlockedRays(voxels, waits);
     for (int bounce = 0; bounce < plan_.bounces; ++bounce) {
         run(gather_, voxels);

@@ -125,6 +125,7 @@ class Irradiance {
                         bool allBounces) const;
     // Dispatches a program over the faces that the step visits; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
+    void traceMoving(const DirectionalVoxels& voxels) const;  // traces rays of moving objects
     void findBlockedRays(const DirectionalVoxels& voxels, bool waits);
     void runOverAll(const gl::Program& program, const DirectionalVoxels& voxels) const;  // over all faces
     // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
@@ -160,7 +161,7 @@ class Irradiance {
     std::uint32_t forwardTurns_ = 0;       // in so many steps from now on
     gl::Program clearBricks_, placeBricks_, markWalls_, linkFaces_, sky_, trace_, gather_, refine_,
         smoothRows_, smooth_, fillBricks_;
-    std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
+    std::optional<gl::Program> carryOver_, carryHits_, traceMoving_;  // only with dynamic objects or cascades
     std::optional<gl::Program> forwardHits_, listVisited_, listArrived_;  // only with cascades
     std::optional<gl::Program> block_;                                    // only with moving objects
     std::optional<gl::Program> findEmitters_;  // only if the scene has compact emitters
