@@ -37,8 +37,7 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
                                       : hasFacesOnly || list < levelsOf(grid, kind);
         if (!exists) continue;
         shared::LevelCommands& c = commands.lists[list];
-        c.groupsY = c.groupsZ = c.faceGroupsZ = 1;
-        c.faceGroupsY = isDynamic ? VCT_GROUPS_OF_DYNAMIC_FACES : 1;
+        c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
         if (hasFacesOnly) continue;
         c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(list < VCT_LIST_DYNAMIC ? list : 0)));

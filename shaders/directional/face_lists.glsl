@@ -43,9 +43,11 @@ ListedFace baseFace(uint id) {
 uint reserveFaces(uint list, uint count) {
     uint first = atomicAdd(commands[list].faceCount, count);
     uint group = (first + uint(VCT_LIST_GROUP) - 1u) / uint(VCT_LIST_GROUP);  // the next new work group
-    if (group * uint(VCT_LIST_GROUP) < first + count && group < VCT_MAX_GROUPS / 2u) {
-        atomicAdd(commands[list].faceGroupsX, 1u);
-        if ((list & ~1u) == uint(VCT_LIST_DYNAMIC)) atomicAdd(commands[0].faceGroupsX, 1u);
+    bool isDynamic = (list & ~1u) == uint(VCT_LIST_DYNAMIC);
+    uint groups = isDynamic ? uint(VCT_DYNAMIC_GROUPS) : 1u;
+    if (group * uint(VCT_LIST_GROUP) < first + count && group * groups < VCT_MAX_GROUPS / 2u) {
+        atomicAdd(commands[list].faceGroupsX, groups);
+        if (isDynamic) atomicAdd(commands[0].faceGroupsX, 1u);
     }
     return first;
 }

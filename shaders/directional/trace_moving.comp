@@ -10,12 +10,10 @@ void main() {
     uint again = movingRaysOfFace();
     uint invocations = max(again / 8u, 1u);  // of a face
     uint run = invocations == 1u ? again : 8u;
-    uint faces = uint(VCT_LIST_GROUP) / invocations;        // of a work group
+    uint faces = uint(VCT_LIST_GROUP) / invocations;  // of a work group
     uint own = gl_LocalInvocationIndex / invocations, part = gl_LocalInvocationIndex % invocations;
     uint count = faceCount(dynamicList);
-    uint groupNumber = gl_WorkGroupID.x * gl_NumWorkGroups.y + gl_WorkGroupID.y;
-    uint stride = gl_NumWorkGroups.x * gl_NumWorkGroups.y * faces;
-    for (uint first = groupNumber * faces; first < count; first += stride) {
+    for (uint first = gl_WorkGroupID.x * faces; first < count; first += gl_NumWorkGroups.x * faces) {
         uint id = commands[dynamicList].firstId + first + own;
         bool traces = own < faces && first + own < count;
         ListedFace listed = ListedFace(ivec3(0), 0, true);

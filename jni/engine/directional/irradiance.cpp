@@ -216,8 +216,13 @@ void Irradiance::run(const gl::Program& program, const DirectionalVoxels& voxels
 }
 
 void Irradiance::runOverAll(const gl::Program& program, const DirectionalVoxels& voxels) const {
+    runOver(program, voxels, 0);
+}
+
+void Irradiance::runOver(const gl::Program& program, const DirectionalVoxels& voxels,
+                         std::uint32_t list) const {
     program.use();
-    voxels.index().dispatchOverFaces(0);
+    voxels.index().dispatchOverFaces(static_cast<int>(list));
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -242,11 +247,11 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
         if (list == 0 ? moved == 0 : !voxels.hasDynamicObjects()) continue;
         gl::Uniform1ui(VCT_UNIFORM_LIST, list);
         (list == 0 ? voxels.staticIndex() : voxels.indexOf(list ^ 1U)).bind(VCT_TEX_PREVIOUS_VOXELS);
-        voxels.index().dispatchOverFaces(list == 0 ? VCT_LIST_VISITED : 0);
+        voxels.index().dispatchOverFaces(list == 0 ? VCT_LIST_VISITED : static_cast<int>(list));
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     // The new ids of all faces are known before any hit is copied.
-    if (voxels.hasDynamicObjects()) runOverAll(*carryHits_, voxels);
+    if (voxels.hasDynamicObjects()) runOver(*carryHits_, voxels, voxels.dynamicList());
 }
 
 void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved) {
@@ -260,12 +265,6 @@ void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t move
     gl::Uniform1ui(VCT_UNIFORM_TURNS, turns);
     runOverAll(*forwardHits_, voxels);
     if (--forwardTurns_ == 0) forwardedCascades_ = 0;
-}
-
-void Irradiance::traceMoving(const DirectionalVoxels& voxels) const {
-    traceMoving_->use();
-    voxels.index().dispatchOverFaces(static_cast<int>(voxels.dynamicList()));
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Irradiance::findBlockedRays(const DirectionalVoxels& voxels, bool waits) {
@@ -288,7 +287,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, bool waits) {
     voxels.bindForRays();
     if (plan_.updatesSky) runOverAll(sky_, voxels);
     if (plan_.traces) run(trace_, voxels);
-    if (plan_.traces && voxels.hasDynamicObjects()) traceMoving(voxels);
+    if (plan_.traces && voxels.hasDynamicObjects()) runOver(*traceMoving_, voxels, voxels.dynamicList());
     if (block_ && (plan_.traces || plan_.updatesSky)) findBlockedRays(voxels, waits);
     for (int bounce = 0; bounce < plan_.bounces; ++bounce) {
         run(gather_, voxels);
@@ -550,7 +549,7 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    voxels.index().dispatchOverFaces(marksAll ? 0 : VCT_LIST_VISITED);
+    voxels.index().dispatchOverFaces(marksAll ? static_cast<int>(list) : VCT_LIST_VISITED);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

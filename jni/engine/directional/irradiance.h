@@ -125,8 +125,8 @@ class Irradiance {
                         bool allBounces) const;
     // Dispatches a program over the faces that the step visits; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
-    void traceMoving(const DirectionalVoxels& voxels) const;  // traces rays of moving objects
     void findBlockedRays(const DirectionalVoxels& voxels, bool waits);
+    void runOver(const gl::Program& program, const DirectionalVoxels& voxels, std::uint32_t list) const;
     void runOverAll(const gl::Program& program, const DirectionalVoxels& voxels) const;  // over all faces
     // Gives the faces of dynamic objects the light and the hits of the last pose. `moved`: the cascades whose
     // static geometry has changed, a bit for each. Its new faces get light as well.
