@@ -38,15 +38,21 @@ ListedFace baseFace(uint id) {
     return listedFace(0u, id);
 }
 
+// The work groups of a dispatch over dynamic faces alone, if these fill `groups`. Few faces have more groups,
+// because invocations share their rays (directional/trace_moving.comp).
+uint groupsForDynamic(uint groups) {
+    return max(min(8u * groups, 64u), groups);
+}
+
 // Reserves `count` entries at the end of a list, at most VCT_LIST_GROUP, and returns the position of the
 // first. The dispatch over the base level covers static and dynamic faces.
 uint reserveFaces(uint list, uint count) {
     uint first = atomicAdd(commands[list].faceCount, count);
     uint group = (first + uint(VCT_LIST_GROUP) - 1u) / uint(VCT_LIST_GROUP);  // the next new work group
-    bool isDynamic = (list & ~1u) == uint(VCT_LIST_DYNAMIC);
-    uint groups = isDynamic ? uint(VCT_DYNAMIC_GROUPS) : 1u;
-    if (group * uint(VCT_LIST_GROUP) < first + count && group * groups < VCT_MAX_GROUPS / 2u) {
-        atomicAdd(commands[list].faceGroupsX, groups);
+    if (group * uint(VCT_LIST_GROUP) < first + count && group < VCT_MAX_GROUPS / 2u) {
+        bool isDynamic = (list & ~1u) == uint(VCT_LIST_DYNAMIC);
+        atomicAdd(commands[list].faceGroupsX,
+                  isDynamic ? groupsForDynamic(group + 1u) - groupsForDynamic(group) : 1u);
         if (isDynamic) atomicAdd(commands[0].faceGroupsX, 1u);
     }
     return first;

@@ -160,7 +160,6 @@ using glm::vec4;
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
 #define VCT_FORWARD_TURNS 8u           // steps in which forward_hits.comp visits all faces
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
-#define VCT_DYNAMIC_GROUPS 4  // work groups for as many dynamic faces, in dispatches over these alone
 #define VCT_NO_ENTRY 0xFFFFFFFFu
 // Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which
 // alternate from pose to pose, so that `list ^ 1` is the other one; and the static faces that a light step
