@@ -1,7 +1,7 @@
 // Traces cached rays of a face, and updates its means over them.
 #include "directional/face_rays.glsl"
 
-// What some rays of a face change in its means.
+// TracedRays is what some rays of a face change in its means.
 struct TracedRays {
     vec4 sky;        // the sum of skyOf()
     float nearness;  // the sum of 1 / distance over the rays that count now
