@@ -107,9 +107,7 @@ void PictureWriter::chooseExposure(const Image& image, float white) {
     say(text);
 }
 
-void PictureWriter::write(const std::string& name, const Image& image, bool isShare) {
-    if (!isShare) warnIfWhite(name, image);
-    Image shown = isShare ? image : toneMapped(image, toneMap_, exposure_);
+void PictureWriter::write(const std::string& name, const Image& image, Image shown) {
     for (const std::string& file : filesOf(name)) {
         if (file.back() == 'r' || file.back() == 'R')  // .exr
             writeExr(file, image);
@@ -152,14 +150,14 @@ void PictureWriter::nameWrittenPictures() const {
             " also has files of earlier runs: " + listText({older.begin(), older.end()}));
 }
 
-void PictureWriter::warnIfWhite(const std::string& name, const Image& image) {
+void PictureWriter::warnIfWhite(const std::string& name, const Image& radiance) {
     constexpr float overWhite = 1.1F;      // white paper in full light may slightly exceed 1
     constexpr double largeShare = 0.25;    // windows and emitters may be too bright for the picture
     constexpr double advisedShare = 0.95;  // share of pixels that the advised exposure keeps below white
     if (warned_) return;
     std::vector<float> brightest;
     std::ptrdiff_t cutOff = 0;
-    for (const glm::vec3& pixel : image.pixels) {
+    for (const glm::vec3& pixel : radiance.pixels) {
         cutOff += std::min({pixel.r, pixel.g, pixel.b}) * exposure_ > overWhite;
         brightest.push_back(std::max({pixel.r, pixel.g, pixel.b}));
     }

@@ -41,10 +41,13 @@ class PictureWriter {
     // radiance of a white surface in the scene's light.
     void chooseExposure(const Image& image, float white);
 
-    // Writes NAME.png and NAME.exr, or the one picture that --out names. If the exposure was given by the
-    // user, warns about the first PNG that is white over much of its area. `isShare`: the values are shares
-    // of 1 and not light, so no exposure is applied.
-    void write(const std::string& name, const Image& image, bool isShare = false);
+    // Writes NAME.png and NAME.exr, or the one picture that --out names. `shown`: the values of the PNG,
+    // linear.
+    void write(const std::string& name, const Image& image, Image shown);
+    // If the exposure was given by the user, warns about the first PNG that is white over much of its area.
+    void warnIfWhite(const std::string& name, const Image& radiance);
+    // Returns what a PNG shows of radiance: with exposure and tone mapping, linear.
+    Image shown(const Image& radiance) const { return toneMapped(radiance, toneMap_, exposure_); }
     // Writes the pictures so far on one sheet, if that was asked for and there are several.
     void writeContactSheet();
     void writeDebugViews(const std::vector<DebugView>& views);
@@ -55,7 +58,6 @@ class PictureWriter {
 
   private:
     std::vector<std::string> filesOf(const std::string& name) const;
-    void warnIfWhite(const std::string& name, const Image& image);
 
     std::filesystem::file_time_type start_ = std::filesystem::file_time_type::clock::now();
     std::string onePicture_;  // name of the only file, or ""

@@ -151,30 +151,46 @@ OnLightStep lightStepsIn(Progress& progress) {
     };
 }
 
-// Returns the mean of `count` pictures that are shifted by parts of a pixel, for smooth edges. The shifts
-// cover the pixel's square evenly, beginning at its centre (R2 sequence; Roberts 2018, "The Unreasonable
-// Effectiveness of Quasirandom Sequences"). The light must have converged.
-Image meanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int count, Progress& progress) {
+// Adds a picture's pixels to those of a sum.
+void add(Image& sum, const Image& image) {
+    for (std::size_t pixel = 0; pixel < sum.pixels.size(); ++pixel)
+        sum.pixels[pixel] += image.pixels[pixel];
+}
+
+void divide(Image& sum, int count) {
+    for (glm::vec3& pixel : sum.pixels)
+        pixel /= static_cast<float>(count);
+}
+
+// Writes the mean of `count` pictures that are shifted by parts of a pixel, for smooth edges, and returns its
+// radiance. The shifts cover the pixel's square evenly, beginning at its centre (R2 sequence; Roberts 2018,
+// "The Unreasonable Effectiveness of Quasirandom Sequences"). The light must have converged. A PNG shows the
+// mean of what the samples show: the mean of their radiance would leave steps along the edges of surfaces
+// brighter than white.
+Image writeMeanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int count,
+                         PictureWriter& pictures, const std::string& file, Progress& progress) {
     const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
-    Image sum = renderer.radiance();
+    Image radiance = renderer.radiance(), shown = pictures.shown(radiance);
     for (int i = 1; i < count; ++i) {
         progress.setPart("sample " + std::to_string(i + 1) + " of " + std::to_string(count));
         renderer.setPictureShift(glm::vec2(glm::fract(0.5 + static_cast<double>(i) * step) - 0.5));
         renderer.render({{mode}, camera});
         const Image sample = renderer.radiance();
-        for (std::size_t pixel = 0; pixel < sum.pixels.size(); ++pixel)
-            sum.pixels[pixel] += sample.pixels[pixel];
+        add(radiance, sample);
+        add(shown, pictures.shown(sample));
     }
     renderer.setPictureShift(glm::vec2(0.0F));
-    for (glm::vec3& pixel : sum.pixels)
-        pixel /= static_cast<float>(count);
-    return sum;
+    divide(radiance, count);
+    divide(shown, count);
+    pictures.warnIfWhite(file, radiance);
+    pictures.write(file, radiance, std::move(shown));
+    return radiance;
 }
 
 // Throws if main memory is too small for a picture of this size: the driver's render targets, and the copies
-// while it is encoded. They take 50 bytes per pixel with llvmpipe in mode 1, and more in other modes.
+// while it is encoded. They take 74 bytes per pixel with llvmpipe in mode 1, and more in other modes.
 void requirePictureMemory(glm::ivec2 size) {
-    constexpr std::size_t bytesPerPixel = 64;
+    constexpr std::size_t bytesPerPixel = 88;
     requireMainMemory(bytesPerPixel * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
                       "a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels",
                       "ask for a smaller picture");
@@ -220,9 +236,9 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<Frame>& fr
     Image first;
     const auto write = [&](const std::string& file, const Camera& camera, Progress& progress) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
-        const Image image = meanOfSamples(renderer, mode, camera, samplesOf(options), progress);
-        pictures.write(file, image);
-        if (first.pixels.empty()) first = image;
+        Image image =
+            writeMeanOfSamples(renderer, mode, camera, samplesOf(options), pictures, file, progress);
+        if (first.pixels.empty()) first = std::move(image);
     };
     {
         const Settings& settings = renderer.settings();
@@ -395,7 +411,7 @@ void render(RenderOptions options) {
     report.resources = renderer.resources();
     if (options.lightParts)
         for (const DebugView& part : lightParts(renderer, first))
-            pictures.write(part.name, part.image, part.isShare);
+            pictures.write(part.name, part.image, part.isShare ? part.image : pictures.shown(part.image));
     if (options.debugViews) {
         const Progress progress("debug views");
         pictures.writeDebugViews(debugViews(renderer, first));

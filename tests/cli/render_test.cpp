@@ -106,6 +106,25 @@ TEST(Render, ASceneOfKilometresWhosePartsAreAsLargeIsAskedForItsUnit) {
     expectMentions(program.err, {"voxels of 6.78 cm"});
 }
 
+// Along the edge of a surface that is far brighter than white.
+TEST(Render, ThePngOfSeveralSamplesHasSmoothEdges) {
+    ProgramRun program;
+    GltfBuilder scene;
+    scene.triangle();
+    writeBytes(program.folder.file("a.glb"), scene.glb());
+    program.expectSuccess(
+        "a.glb --mode phong --grid 64 --size 64x64 --samples 4 --sky 1,1,1 --background 0,0,0 --exposure "
+        "1000 "
+        "--out a.png");
+    int white = 0, between = 0;
+    for (const glm::vec3& pixel : readImage(program.folder.file("a.png")).pixels) {
+        white += pixel.g > 0.9F;
+        between += pixel.g > 0.2F && pixel.g < 0.8F;
+    }
+    EXPECT_GT(white, 100);
+    EXPECT_GT(between, 40);
+}
+
 // A sun of real lux gives no white picture, and no sequence flickers.
 TEST(Render, ChoosesOneExposureForAllPicturesAndSaysHowToRepeatIt) {
     ProgramRun program;
