@@ -33,15 +33,17 @@ Cells cellsAt(ivec3 voxel, ivec3 near) {
 // A face's surface; a coverage of 0 if there is no face.
 struct Surface {
     float coverage;
+    vec2 place;  // middle of the covered part, across the face
     SurfacePlane plane;
 };
 Surface surfaceOf(Cells cells, int face) {
     // Walls of the static geometry's list are those without moving objects.
     bool isStatic = list != dynamicList;
     if (!hasFace(cells.still | (isStatic ? 0u : cells.moving), face))
-        return Surface(0.0, SurfacePlane(vec3(0.0), 0.0));
+        return Surface(0.0, vec2(0.0), SurfacePlane(vec3(0.0), 0.0));
     uint id = surfaceId(cells.still, cells.moving, face, isStatic);
-    return Surface(faceExtent(id).coverage, facePlane(id));
+    FaceExtent extent = faceExtent(id);
+    return Surface(extent.coverage, extent.place, facePlane(id));
 }
 
 // Adds a wall to the word of a block's brick. `slot`: the word of the two.
@@ -112,16 +114,29 @@ bool isMostlyAlong(vec3 normal, int axis, int faceAxis) {
     return axis < third ? difference > -0.05 : difference >= 0.05;
 }
 
-// True if a wall with this normal crosses a surface that a voxel beside it or the one behind has at a face.
-// `voxel`: beside the wall, then the surface's. `near`: in the wall's cascade.
-bool findCrossed(inout ivec3 voxel, int face, vec3 normal, ivec3 near) {
+// True if the part of a wall in a voxel reaches in front of a plane. `offset`: from the middle of the plane's
+// voxel to that of the wall's. `axis`: of the wall's face.
+bool reachesInFront(Surface wall, int axis, vec3 offset, SurfacePlane plane) {
+    // The part is a rectangle of this size at most, and has its area.
+    vec2 most = 1.0 - 2.0 * abs(wall.place), size = min(most, wall.coverage / max(most.yx, wall.coverage));
+    vec2 change = acrossFaces(plane.normal, axis) -
+                  acrossFaces(wall.plane.normal, axis) * (plane.normal[axis] / wall.plane.normal[axis]);
+    vec3 middle = offset + pointOnPlane(wall.plane, axis, wall.place);
+    const float rounding = 0.45;  // of the places and the planes
+    return dot(plane.normal, middle) + 0.5 * dot(abs(change), size) > plane.offset + rounding;
+}
+
+// True if a wall crosses a surface that a voxel beside it or the one behind has at a face, and goes on in
+// front of the surface. One that ends at the surface's back does not divide it. `voxel`: beside the wall,
+// then the surface's. `near`: the wall's.
+bool findCrossed(inout ivec3 voxel, int face, Surface wall, int axis, ivec3 near) {
     ivec3 towards = unitVector(face >> 1) * ((face & 1) == 0 ? 1 : -1);
     for (int behind = 0; behind < 2; ++behind) {
         ivec3 at = voxel - behind * towards;
         Surface surface = surfaceOf(cellsAt(at, near), face);
-        if (surface.coverage > 0.0 && abs(dot(surface.plane.normal, normal)) < 0.7) {
+        if (surface.coverage > 0.0 && abs(dot(surface.plane.normal, wall.plane.normal)) < 0.7) {
             voxel = at;
-            return true;
+            return behind == 1 || reachesInFront(wall, axis, vec3(near - at), surface.plane);
         }
     }
     return false;
@@ -166,7 +181,7 @@ void main() {
                 for (int step = 0; step < 2; ++step) {
                     crossed[axis] =
                         int(floor(surfaces[side] + (side == 0 ? -0.5 - float(step) : 0.5 + float(step))));
-                    if (findCrossed(crossed, face, normal, listed.voxel)) {
+                    if (findCrossed(crossed, face, front, axis, listed.voxel)) {
                         mark(crossed, face, axis, listed.voxel, middle, max(thickness, 0.0));
                         break;
                     }

@@ -87,6 +87,37 @@ TEST(IrradianceLookUp, HasNoTeethAlongAThinWall) {
     }
 }
 
+// An inner wall ends at the back of a front wall of less than a voxel. In front, the light has no step there.
+TEST(IrradianceLookUp, AWallBehindASurfaceDoesNotDivideIt) {
+    const Context context = openContext(Backend::egl);
+    const double voxel = 2.0 / 60.0, thickness = 0.6 * voxel;
+    for (const double shift : {0.0, 0.3, 0.6}) {
+        Scene scene = closedBox(0.0);
+        const double front = (0.2 + shift) * voxel;
+        addBox(scene, {2, 2, thickness}, {0, 0, front - 0.5 * thickness});
+        addBox(scene, {thickness, 2, 0.9}, {0, 0, front - thickness - 0.45});
+        scene.materials.push_back(scene.materials[0]);
+        scene.materials[1].emissive = glm::vec3(1.0F);
+        addQuad(scene, {0.2, -0.5, 0.3}, {0, 1, 0}, {0.3, 0, 0}, 1);
+        FrameInspector frame(context, finished(std::move(scene)), noLight(), mobileAt(256),
+                             lookAt({-0.2, 0, 0.4}, {0, 0, 0}, 60));
+        const Image image = frame.view(Output::irradiance);
+        const std::vector<SurfacePixel>& pixels = frame.pixels();
+        int steps = 0, count = 0;
+        for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
+            const double x = pixels[i].positionWorld.x, next = pixels[i + 1].positionWorld.x;
+            if (!pixels[i].surface || !pixels[i + 1].surface || pixels[i].normal.z < 0.9F ||
+                std::abs(x) > 3.0 * voxel || std::abs(x - next) > voxel)
+                continue;
+            const double a = image.pixels[i].x, b = image.pixels[i + 1].x;
+            steps += std::abs(a - b) > 0.05 * std::min(a, b);
+            ++count;
+        }
+        ASSERT_GT(count, 2000);
+        EXPECT_LE(steps, count / 500) << shift;
+    }
+}
+
 // Rounding decides which of two voxels, and so bricks, holds a fragment.
 TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
     const Context context = openContext(Backend::egl);
