@@ -32,7 +32,6 @@ VERBS = {
     "thin": "light along ten thin things, beside path tracing",
     "motion": "light and times while camera, light or objects move",
     "cases": "small scenes with known answers",
-    "compare": "the presets beside other renderers: three.js, Godot, and Cycles as a check of the references",
     "report": "one page of all results in the folder",
     "phone": "what a phone sent (scripts/phone.sh all), beside this machine and the bounds",
     "mali": "time below which a Mali-T880 cannot draw a frame",

@@ -37,7 +37,7 @@ MEASURES = {
     "shadow": Measure("cone_shadow", ("shadow",), "gi-cone-shadow", is_share=True),
     "ao": Measure("ambient_occlusion", ("ao",), "ao", is_share=True),
 }
-STILL_SAMPLES = 16  # per pixel, of pictures that are compared with those of other renderers
+STILL_SAMPLES = 16  # per pixel, of pictures whose errors docs/comparison.md has beside those of other renderers
 STATES = {"camera": [], "changing": ["--revoxelize"]}  # options of vct render
 
 

@@ -1,7 +1,7 @@
 """Draws each preset's picture of scenes that have references, and prints its times and errors as a Markdown table.
 
     tools/eval.py render --headline                          the README's table: cornell, all presets in one run, with the errors
-                                                             of 16 samples per pixel, as `eval.py compare` has
+                                                             of 16 samples per pixel, as docs/comparison.md has
     tools/eval.py render cornell night --measures all        also soft shadow and ambient occlusion
     tools/eval.py render --plot docs/images/pareto.png       every scene of assets/, and time against error
     tools/eval.py render cornell courtyard --sheet out/presets.png
