@@ -27,7 +27,6 @@ VERBS = {
     "points": "path-traced irradiance at points of rooms, for the test of the library's look-up",
     "render": "times and errors of each preset's picture of scenes that have references",
     "judge": "the same for your own scene, on one page",
-    "sweep": "the same at several grids: time against error",
     "products": "pictures of products, beside path tracing",
     "thin": "light along ten thin things, beside path tracing",
     "motion": "light and times while camera, light or objects move",

@@ -30,12 +30,11 @@ def results(folder):
 
 @pytest.fixture(scope="module")
 def measured(program, tmp_path_factory):
-    """A folder with a sweep of one point, a rendered picture and a failed one, and its page."""
+    """A folder with a picture of a given grid, another one and a failed one, and its page."""
     folder = tmp_path_factory.mktemp("eval")
-    done = evaluate("sweep cornell --presets thesis --grids 64 --size 32x32 --measures all --out", folder)
+    done = evaluate("render cornell --presets thesis --grids 64 --size 32x32 --measures all --out", folder)
     assert done.returncode == 0, done.stderr
-    done = evaluate("render contact --presets mobile --size 32x32 --out", folder, "--sheet", folder / "sheet.png", "--plot",
-                    folder / "plot.png")
+    done = evaluate("render contact --presets mobile --size 32x32 --out", folder, "--sheet", folder / "sheet.png")
     assert done.returncode == 0, done.stderr
     assert "| contact | mobile, 64³ | " in done.stdout and "[1/1] render: contact-mobile" in done.stderr
     data = json.loads((folder / "results.json").read_text())
@@ -46,12 +45,12 @@ def measured(program, tmp_path_factory):
 
 
 def test_errors_are_those_of_the_pictures_at_their_own_size(measured):
-    one = results(measured)["sweep-cornell-thesis-64"]
+    one = results(measured)["render-cornell-thesis-64"]
     assert one["grid"] == 64 and set(one["camera"]["errors"]) == set(MEASURES)
     truth = read_exr(ROOT / "references/cornell/ao.exr").reshape(32, 8, 32, 8, 3).mean((1, 3))
     for state, folder in (("camera", "."), ("changing", "changing")):
         assert all(0 < ms < 10000 for ms in one[state]["ms"].values())
-        picture = read_exr(measured / "pictures/sweep-cornell-thesis-64" / folder / "ambient_occlusion.exr")
+        picture = read_exr(measured / "pictures/render-cornell-thesis-64" / folder / "ambient_occlusion.exr")
         assert one[state]["errors"]["ao"]["rmse"] == pytest.approx(float(np.sqrt(np.mean((picture - truth) ** 2))), rel=1e-6)
         for name in ("gi", "indirect", "soft"):
             assert one["noise"][name] < one[state]["errors"][name]["relmse"] < 1
@@ -149,7 +148,7 @@ def test_dynamic_tells_the_cost_of_each_change(program, tmp_path):
 
 @pytest.mark.parametrize("words, status, said", [
     ("rendr", 2, "invalid choice: 'rendr'"), ("render nowhere", 1, "there is no scene 'nowhere'"),
-    ("render --presets best", 2, "unknown preset 'best'"), ("sweep --grids 100", 2, "unknown grid '100'"),
+    ("render --presets best", 2, "unknown preset 'best'"), ("render --grids 100", 2, "unknown grid '100'"),
     ("render --cascades 1,0", 2, "'0' is not a whole number of 1 or more"),
     ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"), ("cases none", 1, "there is no case"),
     ("motion --frames 0", 2, "1 or more"), ("report", 1, "no results yet"), ("mali --compiler /nowhere/mali", 1, "drm_shim")])
