@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh clone to a page of times and errors, out/report/index.html: sets up, builds, measures every scene at every preset,
-# light over frames and the cases. --quick measures a small part, into out/report-quick/, in a few minutes. The
+# and light over frames. --quick measures a small part, into out/report-quick/, in a few minutes. The
 # same command continues a run that was stopped. Ends with 1 where a measurement failed; the page is written all the same.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -36,7 +36,6 @@ measure() {
 }
 measure render "${pictures[@]}" --measures all
 measure motion "${motion[@]}"
-measure cases
 .venv/bin/python tools/eval.py report --out "$out" >/dev/null
 [[ $failed -eq 0 ]] || echo "report: some measurements failed; the page shows them"
 echo "Open $out/index.html in a browser."

@@ -30,7 +30,6 @@ VERBS = {
     "products": "pictures of products, beside path tracing",
     "thin": "light along ten thin things, beside path tracing",
     "motion": "light and times while camera, light or objects move",
-    "cases": "small scenes with known answers",
     "report": "one page of all results in the folder",
     "phone": "what a phone sent (scripts/phone.sh all), beside this machine and the bounds",
     "mali": "time below which a Mali-T880 cannot draw a frame",

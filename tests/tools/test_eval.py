@@ -1,4 +1,4 @@
-"""tools/eval.py with the real program: pictures, motion, cases and the page."""
+"""tools/eval.py with the real program: pictures, motion and the page."""
 import json
 import re
 import shutil
@@ -38,7 +38,7 @@ def measured(program, tmp_path_factory):
     assert done.returncode == 0, done.stderr
     assert "| contact | mobile, 64³ | " in done.stdout and "[1/1] render: contact-mobile" in done.stderr
     data = json.loads((folder / "results.json").read_text())
-    data["results"]["cases-broken"] = {"kind": "cases", "name": "broken", "key": {"build": None}, "failed": "no <light> & no sun"}
+    data["results"]["lag-broken"] = {"kind": "lag", "name": "broken", "key": {"build": None}, "failed": "no <light> & no sun"}
     (folder / "results.json").write_text(json.dumps(data))
     assert evaluate("report --out", folder).returncode == 0
     return folder
@@ -125,12 +125,6 @@ def test_the_headline_has_the_errors_of_still_pictures(program, tmp_path):
     assert errors["still"] < 0.9 * errors["frame"]
 
 
-def test_every_case_passes_or_is_a_known_failure(program, tmp_path):
-    done = evaluate("cases --out", tmp_path)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "2 known failure, 8 pass" in done.stdout
-
-
 def test_lag_compares_a_sequence_with_converged_pictures(program, tmp_path):
     done = evaluate("motion lag --presets mobile --scenes moving --frames 20 --every 19 --size 32x32 --out", tmp_path)
     assert done.returncode == 0, done.stderr
@@ -150,7 +144,7 @@ def test_dynamic_tells_the_cost_of_each_change(program, tmp_path):
     ("rendr", 2, "invalid choice: 'rendr'"), ("render nowhere", 1, "there is no scene 'nowhere'"),
     ("render --presets best", 2, "unknown preset 'best'"), ("render --grids 100", 2, "unknown grid '100'"),
     ("render --cascades 1,0", 2, "'0' is not a whole number of 1 or more"),
-    ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"), ("cases none", 1, "there is no case"),
+    ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"),
     ("motion --frames 0", 2, "1 or more"), ("report", 1, "no results yet"), ("mali --compiler /nowhere/mali", 1, "drm_shim")])
 def test_a_bad_command_line_is_one_clear_error(tmp_path, words, status, said):
     done = evaluate(words, *(["--out", tmp_path] if status == 1 else []))
@@ -162,5 +156,5 @@ def test_a_program_that_crashes_is_a_failure(tmp_path):
     crashing = tmp_path / "crashing"
     crashing.write_text("#!/bin/sh\nkill -SEGV $$\n")
     crashing.chmod(0o755)
-    done = evaluate("cases thin-wall --program", crashing, "--out", tmp_path / "out")
+    done = evaluate("motion dynamic --presets mobile --program", crashing, "--out", tmp_path / "out")
     assert done.returncode == 1 and "vct render ended with signal 11" in done.stderr

@@ -4,7 +4,7 @@
     tools/eval.py report --out out/judge/my
 
 The page opens from disk, has no script and asks for nothing from outside. It shows each preset's picture beside path tracing with
-its error, light over frames, and the cases.
+its error, and light over frames.
 """
 import argparse
 from html import escape
@@ -13,11 +13,11 @@ from urllib.parse import quote
 
 from files import Failed, write_whole
 
-from . import cases, motion, options, pictures, render
+from . import motion, options, pictures, render
 from .progress import begin, say
 from .store import Store
 
-KINDS = {"render": "Pictures", **motion.TITLES, "cases": "Cases"}
+KINDS = {"render": "Pictures", **motion.TITLES}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -52,7 +52,7 @@ def section(store: Store, kind: str) -> str:
         sheets = pictures.sheets(store, results, errors=True)
         body += "".join(picture(store, scene, pictures.png(image)) for scene, image in sheets.items())
     elif results:
-        body += html_of(cases.table(results) if kind == "cases" else motion.table(kind, results))
+        body += html_of(motion.table(kind, results))
     return body
 
 
