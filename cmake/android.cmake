@@ -22,10 +22,5 @@ endforeach()
 
 set_target_properties(vct PROPERTIES LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
 
-option(VCT_GPU_COUNTERS "Read counters of Arm's GPUs in the app's benchmark, which adds 2 MB to the APK" OFF)
-if(VCT_GPU_COUNTERS)
-    include(cmake/gpu_counters.cmake)
-endif()
-
 include(cmake/apk.cmake)
 include(cmake/stand_ins.cmake)

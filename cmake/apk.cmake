@@ -58,12 +58,6 @@ set(libraries ${stage}/libvct.so)
 add_custom_command(OUTPUT ${stage}/libvct.so VERBATIM
     COMMAND ${CMAKE_STRIP} --strip-unneeded -o ${stage}/libvct.so $<TARGET_FILE:vct>
     DEPENDS vct)
-if(VCT_GPU_COUNTERS)
-    list(APPEND libraries ${stage}/libvct_counters.so)
-    add_custom_command(OUTPUT ${stage}/libvct_counters.so VERBATIM
-        COMMAND ${CMAKE_STRIP} --strip-unneeded -o ${stage}/libvct_counters.so $<TARGET_FILE:vct_counters>
-        DEPENDS vct_counters)
-endif()
 if(ANDROID_STL STREQUAL "c++_shared")
     list(APPEND libraries ${CMAKE_SYSROOT}/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/libc++_shared.so)
 endif()

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# From a fresh clone to a page of times and errors, out/report/index.html: sets up, builds, measures every scene at every preset, a
-# sweep over grids, light over frames and the cases. --quick measures a small part, into out/report-quick/, in a few minutes. The
+# From a fresh clone to a page of times and errors, out/report/index.html: sets up, builds, measures every scene at every preset,
+# and light over frames. --quick measures a small part, into out/report-quick/, in a few minutes. The
 # same command continues a run that was stopped. Ends with 1 where a measurement failed; the page is written all the same.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=out/report
-pictures=() sweep=() motion=()
+pictures=() motion=()
 case "${1:-}" in
     '') ;;
     --quick)
         out=out/report-quick
-        pictures=(cornell --size 64x64) sweep=(cornell --size 64x64 --grids 64,128 --presets mobile)
+        pictures=(cornell --size 64x64)
         motion=(dynamic --presets mobile --frames 4 --repeat 1)
         ;;
     *)
@@ -34,10 +34,8 @@ measure() {
     [[ $status -lt 2 ]] || exit "$status"
     [[ $status -eq 0 ]] || failed=1
 }
-measure render "${pictures[@]}" --measures all --plot "$out/pareto.png"
-measure sweep "${sweep[@]}"
+measure render "${pictures[@]}" --measures all
 measure motion "${motion[@]}"
-measure cases
 .venv/bin/python tools/eval.py report --out "$out" >/dev/null
 [[ $failed -eq 0 ]] || echo "report: some measurements failed; the page shows them"
 echo "Open $out/index.html in a browser."

@@ -49,7 +49,7 @@ def file_sha256(path: Path) -> str:
 
 def scene_sha256(path: Path) -> str:
     """Hashes a glTF file with the buffers and images that it names."""
-    from truth.gltf_file import GltfFile  # needs numpy; phone_tables.py, which needs none, imports this module too
+    from truth.gltf_file import GltfFile  # needs numpy; phone.py, which needs none, imports this module too
     digest = hashlib.sha256(path.read_bytes())
     document = GltfFile(path).json
     for source in [*document.get("buffers", []), *document.get("images", [])]:
@@ -88,16 +88,16 @@ def shown(path: Path) -> str:
     return full.relative_to(ROOT).as_posix() if full.is_relative_to(ROOT) else str(path)
 
 
-def read_json(path: Path, **versions: int) -> dict[str, Any]:
-    """Reads an object that has one of the named members and the version given with it."""
+def read_json(path: Path, member: str, version: int) -> dict[str, Any]:
+    """Reads an object that has this member and this version."""
     try:
         data = json.loads(path.read_text())
     except (OSError, ValueError) as error:
         raise Failed(f"{path} cannot be read: {error}") from None
     found = data.get("version") if isinstance(data, dict) else None
-    if not any(member in data and found == version for member, version in versions.items()):
-        known = " or ".join(f"version {version} with '{member}'" for member, version in versions.items())
-        raise Failed(f"{path} has version {found}, and this program reads {known}: delete the file and measure again")
+    if found != version or member not in data:
+        raise Failed(f"{path} has version {found}, and this program reads version {version} with '{member}': delete the file and "
+                     "measure again")
     return data
 
 

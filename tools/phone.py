@@ -11,8 +11,7 @@
   scripts/phone.sh info                  prints what the phone tells about itself
 
 Options before the command: --apk FILE (default: the newest build), --timeout SECONDS for each wait (default: 1800), --out DIR
-(default: out/phone; each run makes a folder MODEL-DATE in it and deletes nothing), and --beside NAME=FILE with a bench.json or
-timings.json of another machine. ANDROID_SERIAL chooses one of several phones.
+(default: out/phone; each run makes a folder MODEL-DATE in it and deletes nothing). ANDROID_SERIAL chooses one of several phones.
 """
 from __future__ import annotations
 
@@ -46,7 +45,6 @@ class Options:
         self.apk: Path | None = None
         self.timeout_s = 1800.0
         self.out = ROOT / "out/phone"
-        self.beside: list[str] = []
         while words and words[0].startswith("--"):
             if len(words) < 2:
                 raise Usage
@@ -59,11 +57,6 @@ class Options:
                 self.timeout_s = float(value)
             elif name == "--out":
                 self.out = Path(value).expanduser()
-            elif name == "--beside":
-                machine, separator, path = value.partition("=")
-                if not (machine and separator and Path(path).is_file()):
-                    raise Failed(f"--beside '{value}' is not NAME=FILE with a file that is there")
-                self.beside.append(value)
             else:
                 raise Usage
         if not words:
@@ -143,11 +136,10 @@ def bench(adb: Adb, options: Options) -> None:
     start = time.monotonic()
     App(adb, say).measure(command, folder, options.timeout_s)
     say(f"results of {time.monotonic() - start:.0f} s in {folder}")
-    name = adb.shell("getprop ro.product.model")
-    measured = [f"{name}={folder / file}" for file in ("bench.json", "timings.json") if (folder / file).is_file()]
-    if not measured:
-        raise Failed(f"the app reported success, but there is neither bench.json nor timings.json in {folder}")
-    subprocess.run([sys.executable, str(ROOT / "tools/phone_tables.py"), *measured, *options.beside], check=True)
+    tables = [folder / name for name in ("bench.txt", "presets.txt") if (folder / name).is_file()]
+    if not tables:
+        raise Failed(f"the app reported success, but there is neither bench.txt nor presets.txt in {folder}")
+    print(tables[0].read_text(), end="")
 
 
 def results_folder(adb: Adb, options: Options) -> Path:

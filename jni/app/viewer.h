@@ -20,7 +20,6 @@
 #include "app/scenes.h"
 #include "app/touch.h"
 #include "lab/bench_run.h"
-#include "lab/gpu_counters.h"
 #include "lab/self_test.h"
 #include "scene/near_plane.h"
 #include "scene/scene_features.h"
@@ -66,7 +65,6 @@ struct ViewerHost {
     std::function<void(bool)> keepScreenOn;
     // Returns how near the device is to severe throttling, which is at 1; empty if it does not tell.
     std::function<std::optional<float>()> thermalHeadroom = [] { return std::nullopt; };
-    std::function<GpuCounters()> openGpuCounters;  // empty on a desktop
     // Returns how to show a scene that was just loaded, in a window of `aspect`. `sky`: the picture beside
     // it, or null. Runs on a thread of its own. May throw vct::Error.
     std::function<ViewDefaults(const Scene&, const LoadedSky& sky, double aspect)> defaultsFor;

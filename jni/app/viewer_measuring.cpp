@@ -71,9 +71,7 @@ void Viewer::measure() {
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
                                 gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*testResult_),
-                                [](const std::string& line) { log(line); },
-                                host_.openGpuCounters ? std::optional(host_.openGpuCounters()) : std::nullopt,
-                                gl_->programs()},
+                                [](const std::string& line) { log(line); }, gl_->programs()},
                 results_->path());
         }
         more = bench_->advance();

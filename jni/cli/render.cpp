@@ -56,7 +56,6 @@ struct RenderOptions {
     bool converged = false;
     std::string exposure = "auto";  // exposure of the PNGs: a number or "auto"
     std::optional<int> samples;     // samples per pixel of a still picture
-    unsigned seedOrder = 0;
     bool revoxelize = false, debugViews = false, lightParts = false, contactSheet = false;
 };
 
@@ -344,7 +343,6 @@ void render(RenderOptions options) {
         material.emissive *= options.emission;
     for (const std::string& warning : scene.warnings)
         say("warning: " + warning);
-    shuffleTriangles(scene, options.seedOrder);
     const std::vector<Frame> frames = framesOf(options, scene);
     const Camera camera = options.scene.cameraOf(scene);
     options.sky.addRoomLight(scene, camera, options.scene.light);
@@ -576,10 +574,6 @@ void addRender(CLI::App& app, int&) {
                      "Capacity of the list of occupied voxels (default: 16 times the grid squared)")
         ->check(positive)
         ->group(voxelGroup);
-    command
-        ->add_option("--seed-order", options->seedOrder,
-                     "Shuffle the triangles with this seed, as a test: the pictures must not change")
-        ->group(measuringGroup);
     command->callback([options, command] {
         for (const CLI::Option* option : command->get_options())
             if (option->count() > 0) options->given.insert(option->get_name());

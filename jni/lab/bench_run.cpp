@@ -1,6 +1,5 @@
 #include "lab/bench_run.h"
 
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -69,12 +68,6 @@ Scene smallPart(const Scene& scene) {
     return part;
 }
 
-// The value of method.gpu_counters in the files.
-std::string countersText(const GpuCounters& counters) {
-    return counters.missing.empty() ? "means of the timed frames, libGPUCounters"
-                                    : "not used: " + counters.missing;
-}
-
 }  // namespace
 
 BenchRequest benchRequestFromText(const std::string& text) {
@@ -131,7 +124,6 @@ BenchRun::BenchRun(Input input, std::string folder)
     const std::string note =
         cameraNote(*input_.scene, input_.request.camera, camera_, aspectOf(input_.request.size));
     if (!note.empty()) input_.log(note);
-    if (input_.counters) input_.log("GPU counters: " + countersText(*input_.counters));
     features_ = featuresOf(*input_.scene);
     camera_ = NearPlane(*input_.scene).fitted(camera_, aspectOf(input_.request.size));
     for (const BenchConfig& config : configsOf(input_.request)) {
@@ -239,7 +231,6 @@ void BenchRun::beginRun() {
     mode_ = 0;
     frame_ = 0;
     timings_ = {};
-    counters_ = {};
     lastTimed_.reset();
     presentMs_.clear();
     timings_.scene = input_.request.scene;
@@ -250,11 +241,7 @@ void BenchRun::beginRun() {
 }
 
 void BenchRun::frame() {
-    if (frame_ == warmUpFrames) {
-        if (input_.counters && input_.counters->read)
-            input_.counters->read();  // drops the counts of earlier frames
-        renderer_->timer().startRecording(Clocks::cpuAndGpu);
-    }
+    if (frame_ == warmUpFrames) renderer_->timer().startRecording(Clocks::cpuAndGpu);
     const auto render = [&] { renderer_->render({{modes_[mode_]}, camera_}); };
     lastTimed_.reset();
     if (frame_ < warmUpFrames) {
@@ -274,12 +261,6 @@ void BenchRun::presented(double ms) {
 void BenchRun::endMode() {
     const Output mode = modes_[mode_];
     timings_.modes.emplace_back(mode, renderer_->timer().stopRecording());
-    if (input_.counters && input_.counters->read) {
-        const GpuCounterValues sums = input_.counters->read();
-        counters_[outputName(mode)] = {{"cycles", std::round(sums.cycles / timedFrames)},
-                                       {"read_bytes", std::round(sums.readBytes / timedFrames)},
-                                       {"written_bytes", std::round(sums.writtenBytes / timedFrames)}};
-    }
     timings_.activeVoxels = renderer_->activeVoxels();
     if (run_ == 0 && !folder_.empty())
         writePng(folder_ + "/" + outputName(mode) + ".png", renderer_->radiance());
@@ -291,9 +272,6 @@ void BenchRun::endRun() {
     timings_.resources = renderer_->resources();
     nlohmann::ordered_json timings = timingsJson(timings_, input_.capabilities);
     if (!input_.selfTest.is_null()) timings["self_test"] = input_.selfTest;
-    if (input_.counters) timings["method"]["gpu_counters"] = countersText(*input_.counters);
-    for (const auto& [mode, counts] : counters_.items())
-        timings["modes"][mode]["gpu_counters"] = counts;
     for (const auto& [mode, samples] : presentMs_)
         timings["modes"][outputName(mode)]["present"] =
             spreadJson("median", median(samples), "samples", samples);

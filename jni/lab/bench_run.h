@@ -12,7 +12,6 @@
 
 #include "engine/renderer.h"
 #include "lab/bench_report.h"
-#include "lab/gpu_counters.h"
 #include "lab/timings.h"
 
 namespace vct {
@@ -67,7 +66,6 @@ class BenchRun {
         std::string backend;              // driver.backend of timings.json
         nlohmann::ordered_json selfTest;  // result of the self-test, copied into the files; null: none
         std::function<void(const std::string&)> log;
-        std::optional<GpuCounters> counters = {};  // the files do not mention counters without it
         // The context's programs. Each is linked once, and at most one in a call of advance().
         std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>();
     };
@@ -122,7 +120,6 @@ class BenchRun {
     bool isSmallPrepared_ = false;                     // it has its voxels; an interrupted frame loses them
     std::size_t usedRuns_ = 0;                         // runs whose programs were all used
     TimingsReport timings_;                            // timings of the current run
-    nlohmann::ordered_json counters_;                  // the GPU's counters by mode, of the current run
     std::optional<Output> lastTimed_;                  // mode of the last frame, if it was timed
     std::map<Output, std::vector<double>> presentMs_;  // of the timed frames of the current run
     BenchReport report_;

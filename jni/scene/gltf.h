@@ -40,8 +40,4 @@ void computeBounds(Scene& scene);
 // Returns the bounds of `rest` and of all poses of what moves, where poses count only inside of `limit`.
 Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit);
 
-// Permutes the instances, and the triangles of every mesh, for tests: pictures and voxels must not depend on
-// their order. The order of vertices within a triangle stays. Seed 0 changes nothing.
-void shuffleTriangles(Scene& scene, unsigned seed);
-
 }  // namespace vct

@@ -1,10 +1,7 @@
-// Implements computeBounds(), boundsOfPoses() and shuffleTriangles() of gltf.h.
+// Implements computeBounds() and boundsOfPoses() of gltf.h.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
-#include <random>
 
 #include "core/error.h"
 #include "core/number_text.h"
@@ -15,14 +12,6 @@ namespace {
 
 // The square of a larger coordinate exceeds the range of float.
 constexpr double maxCoordinate = 1e18;
-
-// Fisher-Yates shuffle. std::shuffle is not used, because it differs between standard libraries, and a seed
-// must always give the same order.
-template <class T>
-void shuffle(std::vector<T>& items, std::mt19937& random) {
-    for (std::size_t i = items.size(); i > 1; --i)
-        std::swap(items[i - 1], items[random() % i]);
-}
 
 // Positions of the vertices that triangles use, each once, in object space.
 std::vector<glm::dvec3> usedPositions(const Mesh& mesh) {
@@ -169,20 +158,6 @@ void computeBounds(Scene& scene) {
     if (bounds.min == bounds.max)
         throw Error(prefix + "all of its triangles lie in one point; correct its vertices or scale");
     scene.boundsWorld = bounds;
-}
-
-void shuffleTriangles(Scene& scene, unsigned seed) {
-    if (seed == 0) return;
-    std::mt19937 random(seed);
-    shuffle(scene.instances, random);
-    for (Mesh& mesh : scene.meshes) {
-        using Corners = std::array<std::uint32_t, 3>;
-        std::vector<Corners> triangles(mesh.indices.size() / 3);
-        const std::size_t bytes = triangles.size() * sizeof(Corners);
-        std::memcpy(triangles.data(), mesh.indices.data(), bytes);
-        shuffle(triangles, random);
-        std::memcpy(mesh.indices.data(), triangles.data(), bytes);
-    }
 }
 
 std::vector<glm::dvec3> cornersOf(const Mesh& mesh) {

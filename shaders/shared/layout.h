@@ -153,14 +153,12 @@ using glm::vec4;
 #define VCT_MAX_PUNCTUAL_LIGHTS 64
 #define VCT_MAX_LIGHT_MAPS 96
 #define VCT_MAX_EMITTER_PARTS 32
-#define VCT_MAX_LEVELS 10              // 512^3 has levels 0..9
 #define VCT_MAX_STACKED_VOXELS 512     // along z of all cascades together: packFace() has 9 bits
 #define VCT_SHADOW_TILES 4             // 2 x 2 maps in the sun's shadow map, only with cascades
 #define VCT_SHADOW_TILE_MARGIN 0.0625  // share of a tile along each of its sides where no receiver is
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
 #define VCT_FORWARD_TURNS 8u           // steps in which forward_hits.comp visits all faces
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
-#define VCT_NO_ENTRY 0xFFFFFFFFu
 // Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which
 // alternate from pose to pose, so that `list ^ 1` is the other one; and the static faces that a light step
 // visits after cascades have moved (directional/visited.glsl).

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "app/hud.h"
-#include "image/image.h"
 #include "stand_in/stand_in.h"
 #include "support/pictures.h"
 
@@ -130,7 +127,6 @@ TEST_P(PanelOn, CoversNothingOfTheSystem) {
     }
 }
 
-// With VCT_KEEP_PICTURES, pictures show the bars in grey and the missing corners in black.
 TEST_P(PanelOn, IsReadableThere) {
     const auto& [name, window, density, insets] = GetParam();
     StandIn android;
@@ -148,16 +144,6 @@ TEST_P(PanelOn, IsReadableThere) {
         for (int x = free.x; x < free.x + density / 2; ++x)
             bright += glm::min(android.screen.at(x, y).r, android.screen.at(x, y).g) > 0.6F;
     EXPECT_GT(bright, 20) << "the button's text";
-    const char* folder = std::getenv("VCT_KEEP_PICTURES");
-    if (folder == nullptr) return;
-    Image linear = android.screen;
-    for (int y = 0; y < window.y; ++y)
-        for (int x = 0; x < window.x; ++x)
-            for (int c = 0; c < 3; ++c)
-                linear.at(x, y)[c] = isCutByCorner({x, y}, window, insets) ? 0.0F
-                                     : isCovered({x, y}, window, insets)   ? 0.4F
-                                                                           : srgbDecode(linear.at(x, y)[c]);
-    writePng(std::string(folder) + "/panel-" + name + ".png", linear);
 }
 
 }  // namespace

@@ -112,20 +112,6 @@ TEST(Hud, StartsFoldedWhereItWouldCoverMoreThanAQuarterOfTheWidth) {
     }
 }
 
-TEST(Hud, FollowsTheDensity) {
-    Fingers fingers;
-    fingers.size = {1000, 1600};
-    fingers.frames();
-    const glm::vec2 aside(600.0F, 100.0F);
-    ASSERT_FALSE(fingers.hud.covers(aside));
-    fingers.hud.setPixelsPerDp(2.0F);
-    fingers.frames();
-    EXPECT_TRUE(fingers.hud.covers(aside));
-    fingers.hud.setPixelsPerDp(1.0F);
-    fingers.frames();
-    EXPECT_FALSE(fingers.hud.covers(aside));
-}
-
 TEST(Hud, FoldedItStillShowsWhatTheUserMustRead) {
     Fingers fingers;
     fingers.frames();

@@ -56,9 +56,6 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
         EXPECT_TRUE(ours.contains(key)) << key;
     EXPECT_EQ(ours.at("driver").at("backend"), "android");
     EXPECT_EQ(ours.at("self_test").at("passed"), true);
-    EXPECT_EQ(ours.at("method").at("gpu_counters"), "means of the timed frames, libGPUCounters");
-    EXPECT_EQ(ours.at("modes").at("ao").at("gpu_counters"),
-              json({{"cycles", 1000.0}, {"read_bytes", 100.0}, {"written_bytes", 10.0}}));
     EXPECT_EQ(ours.at("modes").at("gi").at("present").at("samples").size(), 5U);
     EXPECT_GT(ours.at("modes").at("gi").at("present").at("min"), 0.0);
     theirs.at("settings").erase("preset");

@@ -353,20 +353,6 @@ TEST_P(Deforming, EqualsTheDeformationOfTheCpu) {
     }
 }
 
-// Irradiance persists from pose to pose, and converges to that of a scene in which nothing moved.
-TEST(MovingInstances, LeaveNoTraceInTheIrradiance) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = load(twoThatMove());
-    const Settings settings = mobileSettings();
-    for (const Output mode : {Output::gi, Output::ao}) {
-        PlayingScene stage(context, scene, settings);
-        for (const double seconds : {0.35, 1.7}) {
-            stage.frameAt(seconds - 0.05, mode);
-            expectFreshLight(stage, context, scene, settings, seconds, mode);
-        }
-    }
-}
-
 // Light is refined while a box stands on the floor. Once the box has left, nothing of it is seen there.
 TEST(MovingInstances, LeaveNoTraceOfTheRefinementBelowThem) {
     const Context context = openContext(Backend::egl);

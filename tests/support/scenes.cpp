@@ -1,6 +1,8 @@
 #include "support/scenes.h"
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <random>
 
 #include "scene/gltf.h"
 
@@ -109,6 +111,20 @@ Scene hall() {
     addQuad(scene, {24, 0, 0}, {0, 0, 8}, {0, 6, 0});
     addQuad(scene, {8, 5.8, 2}, {8, 0, 0}, {0, 0, 4}, 1);
     return finished(std::move(scene));
+}
+
+void shuffleTriangles(Scene& scene, unsigned seed) {
+    std::mt19937 random(seed);
+    std::shuffle(scene.instances.begin(), scene.instances.end(), random);
+    for (Mesh& mesh : scene.meshes) {
+        std::vector<glm::uvec3> triangles;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+            triangles.emplace_back(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
+        std::shuffle(triangles.begin(), triangles.end(), random);
+        mesh.indices.clear();
+        for (const glm::uvec3& corners : triangles)
+            mesh.indices.insert(mesh.indices.end(), {corners.x, corners.y, corners.z});
+    }
 }
 
 Scene finished(Scene scene) {

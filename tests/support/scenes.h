@@ -35,6 +35,9 @@ Scene lonePlane(double angleDeg);
 // A room of 24 x 6 x 8 m, seen from inside, with a panel that emits light in its ceiling.
 Scene hall();
 
+// Permutes the instances, and the triangles of every mesh. The order of vertices within a triangle stays.
+void shuffleTriangles(Scene& scene, unsigned seed);
+
 // Computes the bounds; call when all geometry is there.
 Scene finished(Scene scene);
 

@@ -1,4 +1,4 @@
-"""tools/eval.py with the real program: pictures, motion, cases and the page."""
+"""tools/eval.py with the real program: pictures, motion and the page."""
 import json
 import re
 import shutil
@@ -30,28 +30,27 @@ def results(folder):
 
 @pytest.fixture(scope="module")
 def measured(program, tmp_path_factory):
-    """A folder with a sweep of one point, a rendered picture and a failed one, and its page."""
+    """A folder with a picture of a given grid, another one and a failed one, and its page."""
     folder = tmp_path_factory.mktemp("eval")
-    done = evaluate("sweep cornell --presets thesis --grids 64 --size 32x32 --measures all --out", folder)
+    done = evaluate("render cornell --presets thesis --grids 64 --size 32x32 --measures all --out", folder)
     assert done.returncode == 0, done.stderr
-    done = evaluate("render contact --presets mobile --size 32x32 --out", folder, "--sheet", folder / "sheet.png", "--plot",
-                    folder / "plot.png")
+    done = evaluate("render contact --presets mobile --size 32x32 --out", folder, "--sheet", folder / "sheet.png")
     assert done.returncode == 0, done.stderr
     assert "| contact | mobile, 64³ | " in done.stdout and "[1/1] render: contact-mobile" in done.stderr
     data = json.loads((folder / "results.json").read_text())
-    data["results"]["cases-broken"] = {"kind": "cases", "name": "broken", "key": {"build": None}, "failed": "no <light> & no sun"}
+    data["results"]["lag-broken"] = {"kind": "lag", "name": "broken", "key": {"build": None}, "failed": "no <light> & no sun"}
     (folder / "results.json").write_text(json.dumps(data))
     assert evaluate("report --out", folder).returncode == 0
     return folder
 
 
 def test_errors_are_those_of_the_pictures_at_their_own_size(measured):
-    one = results(measured)["sweep-cornell-thesis-64"]
+    one = results(measured)["render-cornell-thesis-64"]
     assert one["grid"] == 64 and set(one["camera"]["errors"]) == set(MEASURES)
     truth = read_exr(ROOT / "references/cornell/ao.exr").reshape(32, 8, 32, 8, 3).mean((1, 3))
     for state, folder in (("camera", "."), ("changing", "changing")):
         assert all(0 < ms < 10000 for ms in one[state]["ms"].values())
-        picture = read_exr(measured / "pictures/sweep-cornell-thesis-64" / folder / "ambient_occlusion.exr")
+        picture = read_exr(measured / "pictures/render-cornell-thesis-64" / folder / "ambient_occlusion.exr")
         assert one[state]["errors"]["ao"]["rmse"] == pytest.approx(float(np.sqrt(np.mean((picture - truth) ** 2))), rel=1e-6)
         for name in ("gi", "indirect", "soft"):
             assert one["noise"][name] < one[state]["errors"][name]["relmse"] < 1
@@ -126,12 +125,6 @@ def test_the_headline_has_the_errors_of_still_pictures(program, tmp_path):
     assert errors["still"] < 0.9 * errors["frame"]
 
 
-def test_every_case_passes_or_is_a_known_failure(program, tmp_path):
-    done = evaluate("cases --out", tmp_path)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "2 known failure, 8 pass" in done.stdout
-
-
 def test_lag_compares_a_sequence_with_converged_pictures(program, tmp_path):
     done = evaluate("motion lag --presets mobile --scenes moving --frames 20 --every 19 --size 32x32 --out", tmp_path)
     assert done.returncode == 0, done.stderr
@@ -149,9 +142,9 @@ def test_dynamic_tells_the_cost_of_each_change(program, tmp_path):
 
 @pytest.mark.parametrize("words, status, said", [
     ("rendr", 2, "invalid choice: 'rendr'"), ("render nowhere", 1, "there is no scene 'nowhere'"),
-    ("render --presets best", 2, "unknown preset 'best'"), ("sweep --grids 100", 2, "unknown grid '100'"),
+    ("render --presets best", 2, "unknown preset 'best'"), ("render --grids 100", 2, "unknown grid '100'"),
     ("render --cascades 1,0", 2, "'0' is not a whole number of 1 or more"),
-    ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"), ("cases none", 1, "there is no case"),
+    ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"),
     ("motion --frames 0", 2, "1 or more"), ("report", 1, "no results yet"), ("mali --compiler /nowhere/mali", 1, "drm_shim")])
 def test_a_bad_command_line_is_one_clear_error(tmp_path, words, status, said):
     done = evaluate(words, *(["--out", tmp_path] if status == 1 else []))
@@ -163,5 +156,5 @@ def test_a_program_that_crashes_is_a_failure(tmp_path):
     crashing = tmp_path / "crashing"
     crashing.write_text("#!/bin/sh\nkill -SEGV $$\n")
     crashing.chmod(0o755)
-    done = evaluate("cases thin-wall --program", crashing, "--out", tmp_path / "out")
+    done = evaluate("motion dynamic --presets mobile --program", crashing, "--out", tmp_path / "out")
     assert done.returncode == 1 and "vct render ended with signal 11" in done.stderr

@@ -283,4 +283,6 @@ def test_stopping_is_one_line_and_ends_the_program(root, tmp_path, number):
     assert (running.returncode, said, error) == (128 + number, "", ["stopped; the same command continues"])
     assert not out.exists()
     with pytest.raises(ProcessLookupError):
-        os.kill(int((tmp_path / "begun").read_text()), 0)
+        for _ in range(100):  # until it is reaped
+            os.kill(int((tmp_path / "begun").read_text()), 0)
+            time.sleep(0.1)

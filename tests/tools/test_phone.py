@@ -1,5 +1,5 @@
 """scripts/phone.sh against a stand-in for adb (stand_in_adb.sh): the commands that it sends, and its errors when the phone does
-something else. No phone is involved; the measurements are those of the renderer on this machine."""
+something else. No phone is involved."""
 import json
 import os
 import pathlib
@@ -8,7 +8,6 @@ import subprocess
 import sys
 import tarfile
 
-import phone_tables
 import pytest
 
 RESULTS = "sdcard/Android/data/vct.app/files/results"
@@ -72,28 +71,16 @@ def failed(done, *words):
         assert word in done.stderr, done.stderr
 
 
-@pytest.fixture
-def timings(program, root, tmp_path):
-    """A real timings.json."""
-    folder = tmp_path / "timings"
-    subprocess.run([program, "render", root / "assets" / "cornell.glb", "--out", folder, "--mode", "gi", "--grid", "64",
-                    "--size", "64x64", "--timings", folder / "timings.json"], check=True, capture_output=True)
-    return folder / "timings.json"
-
-
-def test_bench_brings_the_results_and_prints_them_beside_others(phone, timings):
-    phone.app(f"cp {timings} {RESULTS}/timings.json", f"echo picture > {RESULTS}/gi.png", f"echo ok > {RESULTS}/done.tmp",
-              f"mv {RESULTS}/done.tmp {RESULTS}/done")
-    done = phone.run("--apk", str(phone.apk), "--out", str(phone.out), "--beside", f"desk={timings}", "bench",
-                     "scene=my court.glb", "grid=64")
+def test_bench_brings_the_results_and_prints_their_tables(phone):
+    phone.app(f"echo 'milliseconds of each step' > {RESULTS}/presets.txt", f"echo picture > {RESULTS}/gi.png",
+              f"echo ok > {RESULTS}/done.tmp", f"mv {RESULTS}/done.tmp {RESULTS}/done")
+    done = phone.bench("scene=my court.glb", "grid=64")
     assert done.returncode == 0, done.stdout + done.stderr
     assert "--es vct 'bench preset=thesis size=400x400 scene=my court.glb grid=64'" in phone.calls()
     assert "am start -S -n vct.app/android.app.NativeActivity" in phone.calls()
-    assert sorted(path.name for path in phone.results().iterdir()) == ["done", "gi.png", "log.txt", "timings.json"]
+    assert sorted(path.name for path in phone.results().iterdir()) == ["done", "gi.png", "log.txt", "presets.txt"]
     assert "frame 2" in (phone.results() / "log.txt").read_text()
-    assert "Test Phone, 64^3" in done.stdout and "desk, 64^3" in done.stdout
-    total = next(iter(json.loads(timings.read_text())["modes"].values()))["steps"]["total"]["median"]
-    assert f"| frame | {total:.2f} | {total:.2f} |" in done.stdout
+    assert done.stdout.endswith("milliseconds of each step\n")
 
 
 def test_results_of_an_earlier_run_are_ignored(phone):
@@ -111,7 +98,7 @@ def test_results_of_an_earlier_run_are_ignored(phone):
     (["sleep 0.3"], ["ended without a result", "frame 2"]),
     (["echo 'E vct: measuring failed: cannot create the folder' > log", "sleep 60"], ["measuring failed: cannot create the folder"]),
     (["touch unplugged", "sleep 60"], ["connection to the phone was lost"]),
-    ([f"echo ok > {RESULTS}/done"], ["neither bench.json nor timings.json"])])
+    ([f"echo ok > {RESULTS}/done"], ["neither bench.txt nor presets.txt"])])
 def test_an_app_without_results_is_reported_with_the_cause(phone, does, words):
     phone.app(*does)
     failed(phone.bench(timeout="1" if does == ["sleep 60"] else "20"), *words)
@@ -322,14 +309,3 @@ def test_push_brings_the_sky_and_the_light_beside_a_scene(phone, tmp_path):
     assert {path.name for path in files.iterdir()} == {"mine.glb", "mine.hdr", "mine.vctlight"}
     assert phone.run("push", str(tmp_path / "other.hdr")).returncode == 0
     assert (files / "other.hdr").read_bytes() == b"other.hdr"
-
-
-def test_counters_of_the_gpu_have_rows():
-    mode = {"steps": {"total": {"median": 12.5}}}
-    counted = mode | {"gpu_counters": {"cycles": 5e6, "read_bytes": 25e5, "written_bytes": 1e6}}
-    files = [("phone", {"settings": {"grid": 64}, "modes": {"ao": counted}}),
-             ("desk", {"settings": {"grid": 64}, "modes": {"ao": mode}})]
-    [(_, _, rows)] = phone_tables.step_tables(files)
-    assert rows[1:] == [["GPU cycles, million", "5.00", "–"], ["read, MB", "2.50", "–"], ["written, MB", "1.00", "–"]]
-    [(_, _, rows)] = phone_tables.step_tables(files[1:])
-    assert len(rows) == 1

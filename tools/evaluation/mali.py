@@ -209,7 +209,7 @@ def stage_table(stages: Sequence[dict[str, Any]], of: str) -> str:
 
 def bounds_of_this_build(path: Path) -> dict[str, Any]:
     """The presets of a bounds.json; none where there is no such file, or where it is of another build of vct."""
-    found = read_json(path, presets=VERSION) if path.is_file() else {"build": ""}
+    found = read_json(path, "presets", VERSION) if path.is_file() else {"build": ""}
     return found["presets"] if found["build"] == program.build_sha256() else {}
 
 

@@ -37,7 +37,7 @@ MEASURES = {
     "shadow": Measure("cone_shadow", ("shadow",), "gi-cone-shadow", is_share=True),
     "ao": Measure("ambient_occlusion", ("ao",), "ao", is_share=True),
 }
-STILL_SAMPLES = 16  # per pixel, of pictures that are compared with those of other renderers
+STILL_SAMPLES = 16  # per pixel, of pictures whose errors docs/comparison.md has beside those of other renderers
 STATES = {"camera": [], "changing": ["--revoxelize"]}  # options of vct render
 
 
@@ -107,7 +107,7 @@ def voxels(one: Result) -> str:
     return f"{one['grid']}³" + (f", {count} cascades" if count > 1 else "")
 
 
-def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None, kind: str,
+def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None,
          camera: str | None = None, cascades: int = 1, samples: int = 1) -> Task:
     """One preset's picture of a scene that has references."""
     references, name = References(scene, camera=camera), view_name(scene, camera)
@@ -121,6 +121,6 @@ def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] |
                           samples=samples)
         return result | {"scene": name, "reference": shown(references.folder / "full.exr"),
                          "noise": {name: references.noise(MEASURES[name].references) for name in names}}
-    return Task(kind, f"{name}-{preset}" + (f"-{grid}" if grid else "") + (f"-{cascades}-cascades" if cascades > 1 else ""),
+    return Task("render", f"{name}-{preset}" + (f"-{grid}" if grid else "") + (f"-{cascades}-cascades" if cascades > 1 else ""),
                 {"scene": scene_sha256(scene), "references": references.key(), "measures": sorted(names), "size": size,
                  "metrics": file_sha256(Path(metrics.__file__)), **({"samples": samples} if samples > 1 else {})}, measure, preset)

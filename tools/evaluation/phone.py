@@ -189,7 +189,7 @@ def compared(pairs: list[tuple[str, Path, Path, int]], out: Path) -> tuple[str, 
 def sections(folder: Path, bounds: dict[str, Any], out: Path, work: Path) -> list[tuple[str, str, str]]:
     """Title, tables as Markdown, and pictures as HTML."""
     from PIL import Image
-    report = read_json(folder / "report.json", stages=REPORT_VERSION)
+    report = read_json(folder / "report.json", "stages", REPORT_VERSION)
     failed = [stage["name"] for stage in report["stages"] if not stage["passed"]]
     first = "Everything succeeded.\n\n" if not failed else f"Failed: {', '.join(failed)}.\n\n"
     found = [("The phone", first + facts_table(folder) + "\n" + stages_table(report), ""),
@@ -199,7 +199,7 @@ def sections(folder: Path, bounds: dict[str, Any], out: Path, work: Path) -> lis
     for path in sorted(folder.glob("bench/*/timings.json")):
         preset = path.parent.name
         say(f"phone: {preset} on this machine")
-        phone = read_json(path, modes=program.TIMINGS_VERSION)
+        phone = read_json(path, "modes", program.TIMINGS_VERSION)
         try:
             pictures, here = desktop.bench(preset, phone)
             pairs += [(f"{preset}-{picture.stem}", picture, pictures / picture.name, 1) for picture in sorted(path.parent.glob("*.png"))]
@@ -227,7 +227,7 @@ def run(asked: argparse.Namespace) -> int:
     out = asked.out or ROOT / "out/phone-page" / asked.archive.name.removesuffix(".tar.gz")
     bounds: dict[str, Any] = {}
     if asked.bounds.is_file():
-        stored = read_json(asked.bounds, presets=1)
+        stored = read_json(asked.bounds, "presets", 1)
         if (stored["scene"], stored["size"]) != ("cornell.glb", [400, 400]):
             raise Failed(f"{asked.bounds} has the bounds of {stored['scene']}, and the phone measures cornell.glb at 400x400")
         bounds = stored["presets"]

@@ -1,9 +1,10 @@
 """Draws each preset's picture of scenes that have references, and prints its times and errors as a Markdown table.
 
     tools/eval.py render --headline                          the README's table: cornell, all presets in one run, with the errors
-                                                             of 16 samples per pixel, as `eval.py compare` has
+                                                             of 16 samples per pixel, as docs/comparison.md has
     tools/eval.py render cornell night --measures all        also soft shadow and ambient occlusion
-    tools/eval.py render --plot docs/images/pareto.png       every scene of assets/, and time against error
+    tools/eval.py render                                     every scene of assets/
+    tools/eval.py render cornell corridor --grids 64,128     how time and error follow the number of voxels
     tools/eval.py render cornell courtyard --sheet out/presets.png
     tools/eval.py render town --cameras court,stairs --cascades 1,5 --measures gi --presets mobile
 
@@ -12,7 +13,7 @@ degrees. As root mean square errors, `shadow` is the visible share of that sun a
 software driver within one run only. The T880 column of the headline appears after `eval.py mali` with the same build of vct.
 """
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from files import ROOT, find_scene, static_scenes, write_whole
@@ -23,6 +24,7 @@ from .measures import MEASURES, STILL_SAMPLES, task, voxels
 from .progress import say
 from .store import Result, Store
 
+GRIDS = ("64", "128", "256", "512")
 MEANINGS = """\
 camera moving        time of a frame while only the camera moves: light and voxels are kept
 everything changing  time of a frame that rebuilds shadow map, voxels and light
@@ -31,7 +33,8 @@ relMSE, FLIP         errors of the converged picture, mode gi, against path trac
 bias                 how much too bright (+) or too dark (-) the mean is"""
 
 
-def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = MEANINGS
     options.add_store(parser)
     options.add_presets(parser)
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in assets/, or files (default: all that have references)")
@@ -41,12 +44,8 @@ def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--size", type=options.size, help="WIDTHxHEIGHT (default: that of the references)")
     parser.add_argument("--measures", type=options.names([*MEASURES, "all"], "measure"), default=["gi", "indirect"],
                         help=f"of {','.join(MEASURES)}, or all (default: gi,indirect)")
-    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw time against error")
-
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.epilog = MEANINGS
-    add_picture_arguments(parser)
+    parser.add_argument("--grids", type=options.names(GRIDS, "grid"), default=[None],
+                        help=f"voxels along a side, with commas, of {','.join(GRIDS)} (default: each preset's)")
     parser.add_argument("--headline", action="store_true", help="measure again and print the README's table (default: cornell)")
     parser.add_argument("--sheet", type=Path, metavar="FILE.png", help="draw the presets' pictures beside path tracing")
 
@@ -92,27 +91,18 @@ def machine(results: Sequence[Result]) -> str:
     return f"Mode gi, {one['size'][0]}x{one['size'][1]} pixels, on {one['driver']}, {one['cpu']}:\n"
 
 
-def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str | None],
-                      show: Callable[[Sequence[Result]], str] = table) -> int:
-    measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys(
-        ["gi", *(["indirect"] if asked.plot else []), *([] if show is headline else asked.measures)]))
-    scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
-    samples = STILL_SAMPLES if show is headline else 1
-    tasks = [task(scene, preset, measures, asked.size, grid, kind, camera, cascades, samples) for scene in scenes
-             for camera in asked.cameras for preset in asked.presets for grid in grids for cascades in asked.cascades]
-    store = Store(asked.out)
-    if results := store.run(tasks, again=show is headline):  # times of one table are of one run
-        print(f"{machine(results)}\n{show(results)}{noise_note(results)}", end="")
-    if results and asked.plot:
-        from . import plot  # loading matplotlib takes a while
-        write_whole(asked.plot, plot.draw(results))
-    if results and kind == "render" and asked.sheet:
-        write_whole(asked.sheet, pictures.stacked(list(pictures.sheets(store, results).values())))
-    store.say_failures(tasks)
-    return 1 if store.failures(tasks) else 0
-
-
 def run(asked: argparse.Namespace) -> int:
     if asked.headline and not asked.scenes:
         asked.scenes = ["cornell"]
-    return measure_and_print(asked, "render", [None], headline if asked.headline else table)
+    measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys(["gi", *([] if asked.headline else asked.measures)]))
+    scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
+    samples = STILL_SAMPLES if asked.headline else 1
+    tasks = [task(scene, preset, measures, asked.size, grid, camera, cascades, samples) for scene in scenes
+             for camera in asked.cameras for preset in asked.presets for grid in asked.grids for cascades in asked.cascades]
+    store = Store(asked.out)
+    if results := store.run(tasks, again=asked.headline):  # times of one table are of one run
+        print(f"{machine(results)}\n{(headline if asked.headline else table)(results)}{noise_note(results)}", end="")
+        if asked.sheet:
+            write_whole(asked.sheet, pictures.stacked(list(pictures.sheets(store, results).values())))
+    store.say_failures(tasks)
+    return 1 if store.failures(tasks) else 0

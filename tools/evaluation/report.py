@@ -4,7 +4,7 @@
     tools/eval.py report --out out/judge/my
 
 The page opens from disk, has no script and asks for nothing from outside. It shows each preset's picture beside path tracing with
-its error, time against error, light over frames, and the cases.
+its error, and light over frames.
 """
 import argparse
 from html import escape
@@ -13,11 +13,11 @@ from urllib.parse import quote
 
 from files import Failed, write_whole
 
-from . import cases, motion, options, pictures, render
+from . import motion, options, pictures, render
 from .progress import begin, say
 from .store import Store
 
-KINDS = {"render": "Pictures", "sweep": "Time against error", **motion.TITLES, "cases": "Cases"}
+KINDS = {"render": "Pictures", **motion.TITLES}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -47,16 +47,12 @@ def section(store: Store, kind: str) -> str:
                      f"{'; its earlier result is kept' if 'result' in entry else ''}</li>"
                      for entry in store.entries_of(kind) if "failed" in entry)
     body = f'<ul class="fail">{failed}</ul>' if failed else ""
-    if results and kind in ("render", "sweep"):
-        body += html_of(f"{render.machine(results)}\n{render.table(results)}\n{render.noise_note(results)}")
     if results and kind == "render":
+        body += html_of(f"{render.machine(results)}\n{render.table(results)}\n{render.noise_note(results)}")
         sheets = pictures.sheets(store, results, errors=True)
         body += "".join(picture(store, scene, pictures.png(image)) for scene, image in sheets.items())
-    elif results and kind == "sweep":
-        from . import plot  # loading matplotlib takes a while
-        body += picture(store, "sweep", plot.draw(results))
     elif results:
-        body += html_of(cases.table(results) if kind == "cases" else motion.table(kind, results))
+        body += html_of(motion.table(kind, results))
     return body
 
 

@@ -44,7 +44,7 @@ class Store:
         self.folder, self.path = folder, folder / "results.json"
         self.data: dict[str, Any] = {"version": VERSION, "results": {}}
         if self.path.is_file():
-            self.data = read_json(self.path, results=VERSION)
+            self.data = read_json(self.path, "results", VERSION)
         self.entries: dict[str, dict[str, Any]] = self.data["results"]
 
     def pictures(self, identity: str) -> Path:

@@ -4,10 +4,10 @@ import math
 from . import shapes
 from .glb import Glb
 
-HEIGHT = 2.5  # metres
+HEIGHT, THICKNESS = 2.5, 0.01  # metres
 
 
-def build(thickness=0.01):
+def build():
     """The dark half (x < 0) is black.
 
     The sun comes over the back wall and travels towards +X -> -X and +Z: it enters where the lit half has no
@@ -21,9 +21,9 @@ def build(thickness=0.01):
     # Floor, back, right, left, and the ceiling of the dark half.
     room = shapes.quads(((-2, 0, 2), (4, 0, 0), (0, 0, -4)), ((-2, 0, -2), (4, 0, 0), (0, HEIGHT, 0)),
                         ((2, 0, -2), (0, 0, 4), (0, HEIGHT, 0)), ((-2, 0, 2), (0, 0, -4), (0, HEIGHT, 0)),
-                        ((-2, HEIGHT, -2), (2 + thickness / 2, 0, 0), (0, 0, 4)))
+                        ((-2, HEIGHT, -2), (2 + THICKNESS / 2, 0, 0), (0, 0, 4)))
     glb.part("room", room, white)
-    glb.part("wall", shapes.box((thickness, HEIGHT, 4), None), orange)
+    glb.part("wall", shapes.box((THICKNESS, HEIGHT, 4), None), orange)
 
     glb.camera("front", (0, 1.35, 6.2), (0, 1.2, 0), 46)
     glb.camera("dark half", (-1.7, 1.6, 1.9), (0.0, 0.9, -0.6), 65)

@@ -6,7 +6,6 @@
 
 #include "app/android/activity.h"
 #include "app/android/assets.h"
-#include "app/android/gpu_counters.h"
 #include "app/android/thermal.h"
 #include "app/log.h"
 #include "gl/debug.h"
@@ -35,7 +34,6 @@ ViewerHost hostFor(android_app& glue) {
     android.openFile = [assets](const FileChoice& file, const std::atomic<bool>& cancelled) {
         return sceneReader(assets, file.bundled, cancelled);
     };
-    android.openGpuCounters = openGpuCounters;
     // Android pauses the app when the screen goes dark, and so would end a measurement.
     android.keepScreenOn = [&activity](bool on) {
         ANativeActivity_setWindowFlags(&activity, on ? AWINDOW_FLAG_KEEP_SCREEN_ON : 0,
