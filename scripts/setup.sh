@@ -15,9 +15,10 @@ required=(
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
     libgtest-dev glslang-tools pkg-config python3
 )
-# Tests that need these are skipped without them, with a message. The first two are the display and the input of the tests of
-# `vct view`, and the last three fetch the driver ANGLE (scripts/angle.sh).
-optional=(xvfb xdotool curl ca-certificates brotli)
+# Tests that need these are skipped without them, with a message. Newer systems have no OSMesa, which Mesa 25.1 dropped; the
+# program loads it only at run time. The next two are the display and the input of the tests of `vct view`, and the last three
+# fetch the driver ANGLE (scripts/angle.sh).
+optional=(libosmesa6 xvfb xdotool curl ca-certificates brotli)
 
 say() { echo "setup: $*"; }
 fail() {

@@ -71,9 +71,8 @@ void BackendOption::addTo(CLI::App& command) {
     command
         .add_option_function<std::string>(
             "--backend", [this](const std::string& name) { backend = backendFromName(name); },
-            "How to create the OpenGL context: egl, desktop (OpenGL 4.5 in place of OpenGL ES) or zink "
-            "(OpenGL "
-            "over Vulkan)")
+            "How to create the OpenGL context: egl, osmesa (desktop OpenGL in software) or zink (OpenGL over "
+            "Vulkan)")
         ->default_str(backendName(backend))
         ->group(driverGroup);
     command

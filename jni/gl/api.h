@@ -1,4 +1,4 @@
-// OpenGL ES entry points, resolved at run time. The same table serves OpenGL ES and desktop OpenGL, whose
+// OpenGL ES entry points, resolved at run time. The same table serves EGL, Android, and OSMesa, whose desktop
 // context has all of them.
 #pragma once
 

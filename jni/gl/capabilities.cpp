@@ -18,8 +18,8 @@ GLint getInteger(GLenum name) {
     return value;
 }
 
-// Tests by compilation which ES language versions a context accepts, because no version number of a desktop
-// context says it.
+// Tests by compilation which ES language versions a context accepts, because no version number says it for
+// OSMesa's desktop context.
 bool compiles(const char* version) {
     const std::string text =
         std::string("#version ") + version + "\nvoid main() { gl_Position = vec4(0.0); }\n";

@@ -26,7 +26,7 @@ struct Limits {
 
 struct Capabilities {
     std::string vendor, renderer, version, shadingLanguage;
-    bool desktopContext = false;        // a desktop core context that compiles the ES sources
+    bool desktopContext = false;        // OSMesa: a desktop core context that compiles the ES sources
     bool essl320 = false;               // "#version 320 es" is accepted; otherwise 310 es plus extensions
     bool debugOutput = false;           // KHR_debug exists
     bool softwareDriver = false;        // the driver runs on the CPU: llvmpipe, softpipe, lavapipe

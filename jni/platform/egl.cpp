@@ -123,10 +123,6 @@ std::map<EGLDisplay, int>& displayUsers() {
     return users;
 }
 
-const char* wanted(bool isDesktop) {
-    return isDesktop ? "OpenGL 4.5" : "OpenGL ES 3.1";
-}
-
 // Thrown if a display has a driver, but of an older version.
 class OldDriver : public Error {
   public:
@@ -135,11 +131,10 @@ class OldDriver : public Error {
 
 class EglPlatform : public Platform {
   public:
-    EglPlatform(const EglSource& source, const PlatformOptions& options)
-        : isDesktop_(options.backend == Backend::desktop) {
+    EglPlatform(const EglSource& source, bool debug) {
         openDisplay(source);
         try {
-            createContext(options.debug);
+            createContext(debug);
         } catch (...) {
             release();
             throw;
@@ -165,8 +160,7 @@ class EglPlatform : public Platform {
     }
 
     void createContext(bool debug) {
-        if (!eglBindAPI(isDesktop_ ? EGL_OPENGL_API : EGL_OPENGL_ES_API))
-            throw Error("no API for " + std::string(wanted(isDesktop_)) + ", " + eglError());
+        if (!eglBindAPI(EGL_OPENGL_ES_API)) throw Error("no OpenGL ES, " + eglError());
         const bool surfaceless = containsWord(extensions_, "EGL_KHR_surfaceless_context");
         const EGLConfig config = chooseConfig(surfaceless);
         if (!surfaceless) {
@@ -176,17 +170,16 @@ class EglPlatform : public Platform {
         }
         // Some drivers return exactly the requested version, so 3.2 is tried before 3.1. Some have no debug
         // contexts.
-        using Versions = std::vector<std::pair<EGLint, EGLint>>;
-        for (const auto& [major, minor] : isDesktop_ ? Versions{{4, 5}} : Versions{{3, 2}, {3, 1}}) {
+        for (const EGLint minor : {2, 1}) {
             for (const bool askDebug : {debug, false}) {
-                if (context_ == EGL_NO_CONTEXT) context_ = tryContext(config, major, minor, askDebug);
+                if (context_ == EGL_NO_CONTEXT) context_ = tryContext(config, minor, askDebug);
             }
         }
         if (context_ == EGL_NO_CONTEXT) {
             const std::string error = eglError();
-            const std::string older = isDesktop_ ? "" : olderDriver(config);
+            const std::string older = olderDriver(config);
             if (!older.empty()) throw OldDriver("the driver " + older + " is too old");
-            throw Error("no context, " + error);
+            throw Error("no OpenGL ES 3.1 context, " + error);
         }
         if (!eglMakeCurrent(display_, surface_, surface_, context_))
             throw Error("eglMakeCurrent failed, " + eglError());
@@ -195,17 +188,16 @@ class EglPlatform : public Platform {
     EGLConfig chooseConfig(bool surfaceless) const {
         // The default of EGL_SURFACE_TYPE is a window. Without a surface any configuration works.
         const std::array<EGLint, 5> attribs = {EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT,
-                                               EGL_RENDERABLE_TYPE,
-                                               isDesktop_ ? EGL_OPENGL_BIT : EGL_OPENGL_ES3_BIT, EGL_NONE};
+                                               EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         if (eglChooseConfig(display_, attribs.data(), &config, 1, &count) && count > 0) return config;
         if (surfaceless && containsWord(extensions_, "EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
-        throw Error("no configuration, " + eglError());
+        throw Error("no configuration for OpenGL ES 3, " + eglError());
     }
 
-    EGLContext tryContext(EGLConfig config, EGLint major, EGLint minor, bool debug) const {
-        std::vector<EGLint> attribs = {EGL_CONTEXT_CLIENT_VERSION, major};
+    EGLContext tryContext(EGLConfig config, EGLint minor, bool debug) const {
+        std::vector<EGLint> attribs = {EGL_CONTEXT_CLIENT_VERSION, 3};
         const bool core15 = version_ >= std::pair{1, 5};
         const bool createContextExtension = containsWord(extensions_, "EGL_KHR_create_context");
         if (core15 || createContextExtension)
@@ -258,7 +250,6 @@ class EglPlatform : public Platform {
         eglTerminate(display_);
     }
 
-    bool isDesktop_;
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
@@ -278,7 +269,7 @@ std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::s
     for (const EglSource& source : eglSources(options.device)) {
         std::string failure;
         try {
-            return std::make_unique<EglPlatform>(source, options);
+            return std::make_unique<EglPlatform>(source, options.debug);
         } catch (const OldDriver& error) {
             isOld = true;
             failure = error.what();
@@ -287,8 +278,7 @@ std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::s
         }
         failures += (failures.empty() ? "" : "; ") + source.name + ": " + failure;
     }
-    throw Error("EGL cannot create an " + std::string(wanted(options.backend == Backend::desktop)) +
-                " context (" + failures + ")" +
+    throw Error("EGL cannot create an OpenGL ES 3.1 context (" + failures + ")" +
                 (isOld && !remedy.empty() ? "; update the driver, or choose another back end" : remedy));
 }
 

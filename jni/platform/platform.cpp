@@ -12,7 +12,7 @@
 namespace vct {
 namespace {
 
-constexpr const char* backendNames[] = {"egl", "desktop", "zink"};  // by value of Backend
+constexpr const char* backendNames[] = {"egl", "osmesa", "zink"};  // by value of Backend
 
 }  // namespace
 
@@ -33,8 +33,9 @@ std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
     requireDriver();
     switch (options.backend) {
         case Backend::egl:
-        case Backend::desktop:
             return detail::createEgl(options, "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
+        case Backend::osmesa:
+            return detail::createOsmesa(options);
         case Backend::zink:
             return detail::createZink(options);
     }

@@ -1,4 +1,4 @@
-// Creates GL contexts without a window. One interface for three back ends, all by EGL.
+// Creates GL contexts without a window. One interface for three back ends: EGL, OSMesa and zink.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 namespace vct {
 
 enum class Backend {
-    egl,      // without a surface, OpenGL ES 3.1 or later, on the driver that EGL finds
-    desktop,  // as egl, with desktop OpenGL 4.5
-    zink,     // as egl, on Mesa's GL over Vulkan (lavapipe without a GPU)
+    egl,     // EGL without a surface, ES 3.1 or later, on the driver that EGL finds
+    osmesa,  // Mesa's off-screen library, desktop 4.5 core context (it has no ES), loaded at run time
+    zink,    // EGL as above, on Mesa's GL over Vulkan (lavapipe without a GPU)
 };
 
 Backend backendFromName(const std::string& name);  // throws vct::Error that lists the names

@@ -79,8 +79,8 @@ struct OtherPicture {
 };
 class OtherDriver : public testing::TestWithParam<OtherPicture> {};
 INSTANTIATE_TEST_SUITE_P(Pictures, OtherDriver,
-                         testing::Values(OtherPicture{Backend::desktop, "courtyard", "thesis"},
-                                         OtherPicture{Backend::desktop, "cornell", "mobile"},
+                         testing::Values(OtherPicture{Backend::osmesa, "courtyard", "thesis"},
+                                         OtherPicture{Backend::osmesa, "cornell", "mobile"},
                                          OtherPicture{Backend::zink, "cornell", "thesis"},
                                          OtherPicture{Backend::zink, "courtyard", "mobile"}),
                          [](const auto& test) {

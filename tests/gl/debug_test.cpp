@@ -31,7 +31,7 @@ TEST_P(DebugOn, AnErrorNamesThePassAndIsReportedOnce) {
     EXPECT_EQ(messageOf("the next pass"), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Debug, DebugOn, testing::Values(Backend::egl, Backend::desktop, Backend::zink),
+INSTANTIATE_TEST_SUITE_P(Debug, DebugOn, testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
                          [](const auto& test) { return std::string(backendName(test.param)); });
 
 TEST(Debug, WithoutKhrDebugTheErrorCodeIsReported) {

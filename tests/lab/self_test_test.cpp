@@ -10,7 +10,7 @@ namespace vct::test {
 namespace {
 
 class SelfTestOn : public testing::TestWithParam<Backend> {};
-INSTANTIATE_TEST_SUITE_P(Backends, SelfTestOn, testing::Values(Backend::egl, Backend::desktop, Backend::zink),
+INSTANTIATE_TEST_SUITE_P(Backends, SelfTestOn, testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
                          [](const auto& test) { return std::string(backendName(test.param)); });
 
 SelfTestResult runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders) {

@@ -12,16 +12,27 @@
 
 namespace vct::test {
 
+inline bool libraryExists(const char* name) {
+    void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    return handle != nullptr;  // left open: OSMesa does not survive being closed
+}
+
 // The reason why the back end is not on this machine, or "". It does not use the code under test, so that a
 // back end which is installed and does not start fails its tests.
 inline std::string whyAbsent(Backend backend) {
-    if (backend != Backend::zink) return "";
-    if (dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL) == nullptr)
-        return "there is no Vulkan loader (package libvulkan1)";
-    std::error_code error;
-    const std::filesystem::directory_iterator drivers("/usr/share/vulkan/icd.d", error);
-    if (error || drivers == std::filesystem::directory_iterator())
-        return "there is no Vulkan driver for zink (package mesa-vulkan-drivers)";
+    if (backend == Backend::osmesa) {
+        for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+            if (libraryExists(name)) return "";
+        }
+        return "OSMesa is not installed (package libosmesa6)";
+    }
+    if (backend == Backend::zink) {
+        if (!libraryExists("libvulkan.so.1")) return "there is no Vulkan loader (package libvulkan1)";
+        std::error_code error;
+        const std::filesystem::directory_iterator drivers("/usr/share/vulkan/icd.d", error);
+        if (error || drivers == std::filesystem::directory_iterator())
+            return "there is no Vulkan driver for zink (package mesa-vulkan-drivers)";
+    }
     return "";
 }
 
