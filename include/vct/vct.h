@@ -239,7 +239,7 @@ struct Pictures {
     unsigned specular = 0;
 };
 
-// The places of the inputs of the look-up in a program: seven texture units and two binding points of uniform
+// The places of the inputs of the look-up in a program: eight texture units and two binding points of uniform
 // buffers, from these on, and a binding point of storage buffers.
 struct LookUpBindings {
     unsigned firstTextureUnit = 0, firstUniformBuffer = 0, storageBuffer = 0;

@@ -498,7 +498,7 @@ void checkBindings(const std::string& function, const LookUpBindings& bindings) 
         GLenum limit;
     };
     for (const Places& places :
-         {Places{"texture units", bindings.firstTextureUnit, 7, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS},
+         {Places{"texture units", bindings.firstTextureUnit, 8, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS},
           Places{"uniform buffers", bindings.firstUniformBuffer, 2, GL_MAX_UNIFORM_BUFFER_BINDINGS},
           Places{"storage buffers", bindings.storageBuffer, 1, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS}}) {
         GLint limit = 0;
@@ -521,7 +521,8 @@ std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const
     checkBindings("lookUpGlsl", bindings);
     std::vector<std::string> defines = renderer.lookUpDefines();
     unsigned unit = bindings.firstTextureUnit, buffer = bindings.firstUniformBuffer;
-    for (const char* name : {"VOXELS", "DYNAMIC_VOXELS", "BLOCKS", "BRICKS", "BRICK_PLACES", "WALLS", "SKY"})
+    for (const char* name :
+         {"VOXELS", "DYNAMIC_VOXELS", "DYNAMIC_PAGES", "BLOCKS", "BRICKS", "BRICK_PLACES", "WALLS", "SKY"})
         defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(unit++))));
     for (const char* name : {"FRAME", "EMITTERS"})
         defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(buffer++))));

@@ -52,8 +52,8 @@ struct RenderRequest {
 
 // The inputs of shaders/directional/look_up.glsl. Those that the scene does not need are null.
 struct LookUpInputs {
-    // Static and dynamic index, blocks, irradiance, bricks, walls, sky.
-    std::array<const gl::Texture*, 7> textures{};
+    // Static and dynamic index, its pages, blocks, bricks, their places, walls, sky.
+    std::array<const gl::Texture*, 8> textures{};
     std::array<const gl::Buffer*, 2> uniforms{};  // frame, emitters
     const gl::Buffer* faces = nullptr;            // a storage buffer
 };

@@ -30,19 +30,19 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
     std::uint32_t firstEntry = 0;
     for (int list = 0; list < VCT_LISTS; ++list) {
         const bool isDynamic = (list & ~1) == VCT_LIST_DYNAMIC;
-        // Directional voxels have lists of voxels at the base level only, and two further lists of faces.
+        // Directional voxels have lists of voxels at the base level and of blocks, and others of faces only.
         const bool isPacked = kind == VoxelPyramid::Kind::packed,
-                   hasFacesOnly = !isPacked && (list == VCT_BRICK_LEVEL || list == VCT_LIST_VISITED);
+                   isOfBlocks = !isPacked && list == VCT_BRICK_LEVEL,
+                   hasFacesOnly = isDynamic || (!isPacked && list == VCT_LIST_VISITED);
         const bool exists = isDynamic ? kind == VoxelPyramid::Kind::staticAndDynamicFaces
-                                      : hasFacesOnly || list < levelsOf(grid, kind);
+                                      : hasFacesOnly || isOfBlocks || list < levelsOf(grid, kind);
         if (!exists) continue;
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
         if (hasFacesOnly) continue;
-        c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(list < VCT_LIST_DYNAMIC ? list : 0)));
-        // The voxels of dynamic objects are read while a pose is voxelized, so both poses share the entries.
-        if (list != VCT_LIST_DYNAMIC) firstEntry += c.capacity;
+        c.capacity = static_cast<std::uint32_t>(isOfBlocks ? voxels(list) : std::min(wanted, voxels(list)));
+        firstEntry += c.capacity;
     }
     return commands;
 }
@@ -145,9 +145,13 @@ void VoxelPyramid::resetBlockedRays() const {
                       sizeof(std::uint32_t), &initialCommands_.blockedRays);
 }
 
-void VoxelPyramid::dispatchOverLevel(std::uint32_t list) const {
-    gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
-    dispatch(list * sizeof(shared::LevelCommands) + offsetof(shared::LevelCommands, groupsX));
+void VoxelPyramid::dispatchOverLevel(std::uint32_t level) const {
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, level);
+    dispatch(level * sizeof(shared::LevelCommands) + offsetof(shared::LevelCommands, groupsX));
+}
+
+void VoxelPyramid::dispatchOverMarkedBlocks() const {
+    dispatch(VCT_BRICK_LEVEL * sizeof(shared::LevelCommands) + offsetof(shared::LevelCommands, groupsX));
 }
 
 void VoxelPyramid::dispatchOverFaces(int level) const {

@@ -59,8 +59,10 @@ class VoxelPyramid {
     void bindLevel(int unit, int level, GLenum access) const;
     void bindLists() const;
 
-    // Dispatches the current compute program over the active voxels of a list.
-    void dispatchOverLevel(std::uint32_t list) const;
+    // Dispatches the current compute program over the active voxels of a level of packed voxels.
+    void dispatchOverLevel(std::uint32_t level) const;
+    // Dispatches it over the blocks with marked faces (shaders/directional/list_faces.comp).
+    void dispatchOverMarkedBlocks() const;
     // Dispatches it over the face lists of the base level (0), or of one of VCT_BRICK_LEVEL and
     // VCT_LIST_VISITED.
     void dispatchOverFaces(int level) const;

@@ -2,10 +2,11 @@
 // to the sums of the voxel's faces that it covers. The sums are integers, so the order of the fragments does
 // not matter.
 #include "directional/coverage.glsl"
+#include "directional/index.glsl"
 
 centroid in vec3 fragmentNormal;
 
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D index;  // the index of the faces in the list
+layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 void main() {
     Samples samples = fragmentSamples();
@@ -18,7 +19,8 @@ void main() {
         Part part = nextPart(samples);
         vec3 coverage = part.coverage;
         if (isKept(part.voxel)) continue;
-        uint cell = texelFetch(index, listedVoxel(part.voxel), 0).r;
+        ivec3 voxel = listedVoxel(part.voxel);
+        uint cell = list == 0u ? staticCellAt(voxel) : cellInPages(dynamicIndex, dynamicPages, voxel);
         bool curved = dot(normal, safeNormalize(coverage)) < 0.9999;  // 0.8 degrees
         vec3 place = part.place - vec3(part.voxel);
         vec3 fromMiddle = place - 0.5;

@@ -2,13 +2,13 @@
 // face, or else of a neighbouring one, dynamic in the last pose or static. If cascades have moved with the
 // camera, static faces come first: those that are new to a cascade (list_fresh.comp) take over the light of a
 // coarser one, that of emitters as well, without its hits. carry_hits.comp follows.
-#include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
+#include "directional/index.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex;
+layout(binding = VCT_TEX_PREVIOUS_PAGES) uniform highp usampler3D previousPages;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 // The voxel's place before the cascades moved, in its own cascade or in a coarser one. A static voxel is in
@@ -27,6 +27,11 @@ LastPlace lastPlaceOf(ivec3 voxel) {
     ivec3 first = ivec3(0, 0, cascade * frame.gridSide);
     ivec3 last = first + ivec3(floor((middle - cube.xyz) * cube.w));
     return LastPlace(clamp(last, first, first + frame.gridSide - 1), cascade == own);
+}
+
+// The cell in the index of the last pose, or in that of the static geometry.
+uint lastCellAt(ivec3 voxel) {
+    return list == 0u ? staticCellAt(voxel) : cellInPages(previousIndex, previousPages, voxel);
 }
 
 // The id of a cell's face, counted from 1, or 0 if it has none that has been lit.
@@ -48,14 +53,13 @@ void main() {
         ListedFace listed = listedFace(list, i);
         uint id = commands[list].firstId + i;
         LastPlace last = lastPlaceOf(listed.voxel);
-        uint from = litFace(texelFetch(previousIndex, last.voxel, 0).r, listed.face);
+        uint from = litFace(lastCellAt(last.voxel), listed.face);
         bool isSame = !isStatic && from != 0u && last.isSame;
         for (int n = 0; n < 27 && from == 0u; ++n) {
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
-            from = litFace(texelFetch(previousIndex, beside, 0).r, listed.face);
-            if (from == 0u && list == dynamicList)
-                from = litFace(texelFetch(staticIndex, beside, 0).r, listed.face);
+            from = litFace(lastCellAt(beside), listed.face);
+            if (from == 0u && list == dynamicList) from = litFace(staticCellAt(beside), listed.face);
         }
         // Direct light and the light of emitters of a moving object change. Means that this light step
         // computes before it reads them keep what the words had.

@@ -1,10 +1,10 @@
 // Removes dynamic objects from the base level, before a new pose is voxelized: clears their bits in the
-// blocks, and the words and the index of the pose before the last one, which the new pose will use.
+// blocks, and the words and the pages of the pose before the last one, which the new pose will use.
 #include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // index of the older pose
+layout(rgba16ui, binding = VCT_IMAGE_PAGES) writeonly uniform highp uimage3D pages;  // of the older pose
 
 void main() {
     uint last = dynamicList, older = last ^ 1u;
@@ -18,7 +18,7 @@ void main() {
             faceData[bits + 1u] = 0u;
         }
         if (i < olderCount) {
-            imageStore(index, listedFace(older, i).voxel, uvec4(0u));
+            imageStore(pages, listedFace(older, i).voxel >> VCT_BRICK_LEVEL, uvec4(0u));
             uint id = commands[older].firstId + i, at = sumsAt(id);
             faceData[radianceAt(id)] = 0u;
             for (uint word = 0u; word < faceSumWords; ++word)

@@ -19,9 +19,8 @@ struct FaceRays {
 float heightOfStart(ListedFace listed, uint id, SurfacePlane plane, vec3 middle) {
     const float sameWay = 0.5, limit = 0.6;
     float height = startHeight;
-    uint cell = texelFetch(staticIndex, listed.voxel, 0).r;
-    if (!hasFace(cell, listed.face) || faceId(cell, listed.face) != id)
-        cell = texelFetch(dynamicIndex, listed.voxel, 0).r;
+    uint cell = staticCellAt(listed.voxel);
+    if (!hasFace(cell, listed.face) || faceId(cell, listed.face) != id) cell = dynamicCellAt(listed.voxel);
     for (uint left = cell & VCT_FACE_MASK & ~(1u << uint(listed.face)); left != 0u; left &= left - 1u) {
         SurfacePlane other = facePlane(faceId(cell, findLSB(left)));
         float cosine = dot(plane.normal, other.normal);

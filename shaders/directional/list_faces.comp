@@ -1,13 +1,13 @@
-// Lists the faces of the listed voxels, which gives them their ids, marks the voxels in their blocks, and
-// lists the faces of the blocks. Of the static geometry these are the voxels that have been added since
-// mark_static.comp.
+// Lists the faces that mark_faces.frag has marked, which gives them their ids, their voxels, and the faces of
+// their blocks. An invocation visits a layer of a block. Of the static geometry these are the voxels without
+// ids.
 #include "directional/block_lists.glsl"
+#include "directional/index.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui,
-       binding = VCT_IMAGE_VOXELS) coherent uniform highp uimage3D index;  // the index of the faces in `list`
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint list;
+layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // of the faces in `list`
+layout(rgba16ui, binding = VCT_IMAGE_PAGES) writeonly uniform highp uimage3D pages;
+layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 // The position in the list of the first of `count` faces; noIds if there is no room.
 uint placeOf(uint count) {
@@ -24,31 +24,59 @@ uint placeOf(uint count) {
     return found;
 }
 
+// Lists a voxel and its faces. Returns its cell, 0 if there is no room.
+uint listVoxel(ivec3 voxel, uint known, bool hasPage) {
+    bool isDynamic = list != 0u;
+    uint faces = markedFaces(voxel, isDynamic);
+    if (known == 0u) appendVoxel(0u, uvec3(voxel));
+    uint count = uint(bitCount(faces)), first = placeOf(count), i = first;
+    bool fits = first != noIds && hasPage;
+    for (uint left = faces; left != 0u && fits; left &= left - 1u) {
+        int face = findLSB(left);
+        uint flags = i == first ? VCT_FIRST_FACE : 0u;
+        storeListed(list, i++, voxel, face, flags | (hasFace(known, face) ? VCT_MERGED_FACE : 0u));
+    }
+    if (VCT_CASCADES > 1 && !isDynamic && fits)
+        for (uint word = 0u; word < 2u; ++word)
+            atomicOr(faceData[freshAt(first) + word], bitsOfIds(first, count, word));
+    if (!fits) unmarkInBlock(voxel, isDynamic);
+    // The first voxel that sets the bit of a block's face lists it.
+    uint shift, at = maskAt(voxel >> VCT_BRICK_LEVEL, shift), listed = faces & ~known;
+    uint before = atomicOr(faceData[at], listed << shift) >> shift;
+    listOfBlock(voxel >> VCT_BRICK_LEVEL, listed & ~before);
+    return fits ? packCell(commands[list].firstId + first, faces) : 0u;
+}
+
 void main() {
     bool isDynamic = list != 0u;
-    uint count = activeVoxelCount(list);
+    const uint level = uint(VCT_BRICK_LEVEL), layers = uint(VCT_BRICK_SIDE);
+    uint count = layers * activeVoxelCount(level), side = uint(frame.gridSide) >> level;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint v = (isDynamic ? 0u : commands[0].staticVoxels) + gl_GlobalInvocationID.x; v < count;
-         v += stride) {
-        ivec3 voxel = ivec3(activeVoxel(list, v));
-        uint faces = imageLoad(index, voxel).r & VCT_FACE_MASK;
-        uint known = isDynamic ? texelFetch(staticIndex, voxel, 0).r : 0u;
-        if (isDynamic && known == 0u) appendVoxel(0u, uvec3(voxel));
-        uint facesHere = uint(bitCount(faces)), first = placeOf(facesHere), i = first;
-        bool fits = first != noIds;
-        imageStore(index, voxel, uvec4(fits ? packCell(commands[list].firstId + first, faces) : 0u));
-        for (uint left = faces; left != 0u && fits; left &= left - 1u) {
-            int face = findLSB(left);
-            uint flags = i == first ? VCT_FIRST_FACE : 0u;
-            storeListed(list, i++, voxel, face, flags | (hasFace(known, face) ? VCT_MERGED_FACE : 0u));
+    for (uint n = gl_GlobalInvocationID.x; n < count; n += stride) {
+        uint z = n % layers, number = n / layers + 1u;
+        ivec3 block = ivec3(activeVoxel(level, n / layers)), page = ivec3(0);
+        if (isDynamic) page = ivec3(number % side, number / side % side, number / (side * side)) << level;
+        // There are as many pages as dynamic faces have room, so that pages run out only if faces do.
+        bool hasPage = !isDynamic || page.z < imageSize(index).z;
+        uint shift, at = maskAt(block, shift);
+        if (z == 0u) atomicAnd(faceData[at], ~(VCT_MARKED_BLOCK << shift));
+        uint occupied = 0u, words = blockWords(block, 0, isDynamic) + (z >> 1u);
+        for (uint face = 0u; face < 6u; ++face)
+            occupied |= faceData[words + 2u * face] >> (16u * (z & 1u)) & 0xFFFFu;
+        for (uint left = isDynamic ? ~occupied & 0xFFFFu : 0u; left != 0u; left &= left - 1u) {
+            int i = findLSB(left);
+            imageStore(index, page + ivec3(i & 3, i >> 2, z), uvec4(0u));
         }
-        if (VCT_CASCADES > 1 && !isDynamic && fits)
-            for (uint word = 0u; word < 2u; ++word)
-                atomicOr(faceData[freshAt(first) + word], bitsOfIds(first, facesHere, word));
-        if (fits) markInBlock(voxel, faces, isDynamic);
-        // The first voxel that sets the bit of a block's face lists it.
-        uint shift, at = maskAt(voxel >> VCT_BRICK_LEVEL, shift), listed = faces & ~known;
-        uint before = atomicOr(faceData[at], listed << shift) >> shift;
-        listOfBlock(voxel >> VCT_BRICK_LEVEL, listed & ~before);
+        bool isListed = false;
+        for (uint left = occupied; left != 0u; left &= left - 1u) {
+            int i = findLSB(left);
+            ivec3 inBlock = ivec3(i & 3, i >> 2, z), voxel = (block << level) + inBlock;
+            uint known = staticCellAt(voxel);
+            if (!isDynamic && known != 0u) continue;
+            uint cell = listVoxel(voxel, known, hasPage);
+            imageStore(index, isDynamic ? page + inBlock : voxel, uvec4(cell));
+            isListed = isListed || cell != 0u;
+        }
+        if (isDynamic && isListed) imageStore(pages, block, uvec4(page, 0));
     }
 }

@@ -1,9 +1,9 @@
-// First of two passes over the triangles: marks the occupied faces of each voxel that has none with ids. The
-// first fragment of a voxel appends it to the list.
-#include "shared/commands.glsl"
+// First of two passes over the triangles: marks the occupied faces of each voxel that has none with ids, and
+// the blocks of these voxels.
+#include "directional/block_lists.glsl"
 #include "directional/coverage.glsl"
+#include "directional/index.glsl"
 
-layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 void main() {
@@ -15,8 +15,8 @@ void main() {
         if (materialIsDoubleSided) faces |= coveredFaces(-part.coverage);
         ivec3 voxel = listedVoxel(part.voxel);
 #if VCT_CASCADES > 1
-        if (isKept(part.voxel) || imageLoad(index, voxel).r > VCT_FACE_MASK) continue;
+        if (isKept(part.voxel) || list == 0u && staticCellAt(voxel) != 0u) continue;
 #endif
-        if (faces != 0u && imageAtomicOr(index, voxel, faces) == 0u) appendVoxel(list, uvec3(voxel));
+        if (markInBlock(voxel, faces, list != 0u)) markBlock(voxel >> VCT_BRICK_LEVEL);
     }
 }

@@ -2,14 +2,12 @@
 // bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay
 // while a cascade moves, so that those near new voxels are marked (list_arrived.comp); walls of dynamic
 // objects are added to the bricks.
-#include "directional/cascades.glsl"
+#include "directional/index.glsl"
 #include "directional/visited.glsl"
 #include "directional/voxels.glsl"
 #include "directional/walls.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
-layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 layout(r32ui, binding = VCT_IMAGE_BRICK_PLACES) coherent uniform highp uimage3D brickPlaces;
 layout(r32ui, binding = VCT_IMAGE_WALLS) coherent uniform highp uimage3D walls;  // static or of the bricks
 layout(location = VCT_UNIFORM_LIST) uniform uint list;  // the list of the walls' faces
@@ -26,8 +24,7 @@ ivec3 unitVector(int axis) {
 // The faces of a voxel; none if it is outside of the cascade of the voxel `near`.
 Cells cellsAt(ivec3 voxel, ivec3 near) {
     if (voxel != clampToCascade(voxel, near, frame.gridSide)) return Cells(0u, 0u);
-    bool hasDynamic = frame.hasDynamicObjects != 0;
-    return Cells(texelFetch(staticIndex, voxel, 0).r, hasDynamic ? texelFetch(dynamicIndex, voxel, 0).r : 0u);
+    return Cells(staticCellAt(voxel), dynamicCellAt(voxel));
 }
 
 // A face's surface; a coverage of 0 if there is no face.

@@ -3,12 +3,11 @@
 // voxel. So a wall blocks light however thin it is, and its two sides stay two surfaces. Lengths are in
 // voxels.
 #include "directional/face_data.glsl"
+#include "directional/index.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
 
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_BLOCKS) uniform highp usampler3D blocks;  // directional/fill_blocks.comp
-layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 
 const uint noFace = 0xFFFFFFFFu, backOfFace = 0xFFFFFFFEu;
 // The geometry that a ray may meet. Backs of surfaces stop rays only where that is asked for.
@@ -36,8 +35,7 @@ struct VoxelCells {
     uint atStill;  // a bit for each face whose surface is at the static id (directional/resolved.glsl)
 };
 VoxelCells cellsOf(ivec3 voxel, uint geometry) {
-    uint still = texelFetch(staticIndex, voxel, 0).r;
-    uint moving = frame.hasDynamicObjects != 0 ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
+    uint still = staticCellAt(voxel), moving = dynamicCellAt(voxel);
     return VoxelCells(still, moving, (geometry & dynamicGeometry) == 0u ? still & ~moving : still);
 }
 uint faceOf(VoxelCells cells, int face) {
@@ -75,7 +73,7 @@ uint faceBehind(ivec3 voxel, int face, vec3 wallNormal) {
     for (int n = 0; n < 3 && found == noFace; ++n) {
         ivec3 at = beside + towards * (n == 0 ? 0 : n == 1 ? -1 : 1);
         if (at != clampToCascade(at, voxel, frame.gridSide)) continue;
-        uint cell = texelFetch(staticIndex, at, 0).r;
+        uint cell = staticCellAt(at);
         if (hasFace(cell, face)) found = faceId(cell, face);
     }
     return found;

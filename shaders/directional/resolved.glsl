@@ -2,14 +2,12 @@
 // and dynamic geometry share has two ids: at the static one are both together, and at the dynamic one is the
 // static geometry alone, for rays whose hits are kept while objects move. In a scene with cascades in which
 // nothing moves, they visit the faces that have no light yet; the others stay as they are.
-#include "directional/cascades.glsl"
 #include "directional/changed.glsl"
+#include "directional/index.glsl"
 #include "directional/visited.glsl"
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
-layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 
 struct ResolvedFace {
     ivec3 voxel;
@@ -18,21 +16,18 @@ struct ResolvedFace {
     bool isStatic;                 // its surface is that of the static geometry alone
     bool changes;                  // false: no face has the id, or the pose leaves it as it is
 };
-uint dynamicCellAt(ivec3 voxel) {
-    return faceCount(dynamicList) > 0u ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
-}
 ResolvedFace resolvedFace(uint id) {
     ListedFace listed = baseFace(id);
     if (listed.isMerged && id < commands[0].faceCapacity || isUnchanged(id, listed.voxel))
         return ResolvedFace(listed.voxel, listed.face, 0u, 0u, false, false);
-    uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r, dynamicCell = dynamicCellAt(listed.voxel);
+    uint staticCell = staticCellAt(listed.voxel), dynamicCell = dynamicCellAt(listed.voxel);
     bool isStatic = listed.isMerged || !hasFace(dynamicCell, listed.face);
     return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, isStatic, true);
 }
 // Another voxel, as far as the face's surface may meet others there.
 ResolvedFace inVoxel(ResolvedFace own, ivec3 voxel) {
-    return ResolvedFace(voxel, own.face, texelFetch(staticIndex, voxel, 0).r, dynamicCellAt(voxel),
-                        own.isStatic, own.changes);
+    return ResolvedFace(voxel, own.face, staticCellAt(voxel), dynamicCellAt(voxel), own.isStatic,
+                        own.changes);
 }
 
 // The cell of the dynamic geometry, if the surface has any.

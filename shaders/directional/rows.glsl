@@ -1,8 +1,6 @@
 // The rows of voxels that a face's surface passes, along the two axes across the face.
 #include "directional/face_lists.glsl"
-
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
-layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
+#include "directional/index.glsl"
 
 // The voxels beside a face, on its surface.
 struct Row {
@@ -26,7 +24,7 @@ ivec3 voxelOfRow(Row row, float paces) {
 // cascade.
 uint cellBeside(Row row, ivec3 voxel, uint faces) {
     if (any(greaterThanEqual(uvec3(voxel - row.first), uvec3(frame.gridSide)))) return 0u;
-    uint cell = texelFetch(staticIndex, voxel, 0).r;
+    uint cell = staticCellAt(voxel);
     bool isFound = (cell & faces) != 0u;
-    return isFound || frame.hasDynamicObjects == 0 ? cell : texelFetch(dynamicIndex, voxel, 0).r;
+    return isFound || frame.hasDynamicObjects == 0 ? cell : dynamicCellAt(voxel);
 }

@@ -16,7 +16,7 @@ void invalidateRays(uint id) {
 
 // True if a static face has the plane of a moving object as well.
 bool isMergedNow(ListedFace listed) {
-    return frame.hasDynamicObjects != 0 && hasFace(texelFetch(dynamicIndex, listed.voxel, 0).r, listed.face);
+    return hasFace(dynamicCellAt(listed.voxel), listed.face);
 }
 
 void main() {

@@ -80,6 +80,7 @@ using glm::vec4;
 #define VCT_TEX_GLOSS 4  // shared with VCT_TEX_G_ALBEDO; no pass needs both
 #define VCT_TEX_G_NORMAL 5
 #define VCT_TEX_NORMAL_MAP 5
+#define VCT_TEX_PREVIOUS_PAGES 6  // of VCT_TEX_PREVIOUS_VOXELS
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
 #define VCT_TEX_BLOCKS 7          // shared with VCT_TEX_G_EMISSIVE; no pass needs both
@@ -90,11 +91,13 @@ using glm::vec4;
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
+#define VCT_TEX_DYNAMIC_PAGES 15  // of VCT_TEX_DYNAMIC_VOXELS
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_STATIC_WALLS 0  // shared with VCT_IMAGE_VOXELS; no pass needs both
 #define VCT_IMAGE_VOXELS_NEXT 1
+#define VCT_IMAGE_PAGES 1  // shared with VCT_IMAGE_VOXELS_NEXT; no pass needs both
 #define VCT_IMAGE_WALLS 1  // shared with VCT_IMAGE_VOXELS_NEXT; no pass needs both
 #define VCT_IMAGE_BRICKS 2
 #define VCT_IMAGE_BRICK_PLACES 3
@@ -174,6 +177,8 @@ using glm::vec4;
 #define VCT_FACE_GROUP 64u  // faces whose radiance is stored together, and whose hits are
 // Words per block of 4^3 voxels (directional/blocks.glsl).
 #define VCT_BLOCK_WORDS 24u
+// Set above the bits of a block's six faces, if list_faces.comp has to visit the block.
+#define VCT_MARKED_BLOCK 64u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6

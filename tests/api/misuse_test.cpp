@@ -149,7 +149,7 @@ TEST_F(Misuse, OfAnObjectIsAnError) {
     expectError("no mesh 99", [&] { light.removeMesh(99); });
     expectError("material", [&] { light.setMaterial(0, {.roughness = nan}); });
     expectError("material", [&] { light.addMaterial({.emission = {infinite, 0, 0}}); });
-    expectError("texture units 1000 to 1006", [&] { light.lookUpGlsl({1000, 0, 0}); });
+    expectError("texture units 1000 to 1007", [&] { light.lookUpGlsl({1000, 0, 0}); });
     expectError("uniform buffers 4294967295 to 4294967296", [&] { light.lookUpGlsl({0, ~0U, 0}); });
     expectError("storage buffers 1000 to 1000", [&] { light.lookUpGlsl({0, 0, 1000}); });
     light.render(view);

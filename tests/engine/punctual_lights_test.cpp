@@ -187,8 +187,8 @@ TEST(PunctualLights, PastTheMapsCastNoShadowsAndGetOneWhereThereIsRoom) {
     std::size_t mapBytes = 0;
     for (const Resource& resource : renderer.resources())
         mapBytes += resource.name == "light maps" ? resource.bytes : 0;
-    EXPECT_GT(mapBytes, 7U << 20);
-    EXPECT_LE(mapBytes, 8U << 20);
+    EXPECT_GT(mapBytes, 4U << 20);
+    EXPECT_LE(mapBytes, 9U << 19);
 }
 
 TEST(PunctualLights, SixtyFourGiveTheSumOfTheirIrradiances) {

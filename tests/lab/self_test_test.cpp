@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Broken{"CoverageThatIsLost", "directional/coverage.glsl",
                            "if (isCovered(abs(coverage.y)))", "if (false)", "preset mobile: first frame"},
                     Broken{"FacesThatAreNotEmptied", "directional/clear_dynamic.comp", "void main() {",
-                           "void main() { return;", "preset mobile: second frame"},
+                           "void main() { return;", "preset mobile: first frame"},
                     Broken{"ShaderThatDoesNotCompile", "packed/mipmapper.comp", "void main() {",
                            "void main() { nonsense;", "packed/mipmapper.comp"}),
     [](const auto& test) { return std::string(test.param.name); });

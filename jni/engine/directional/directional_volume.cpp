@@ -134,15 +134,11 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
     const shared::LevelCommands& dynamic = found.lists[found.dynamicList];
     const shared::LevelCommands& still = found.lists[0];
     const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
-    const auto check = [&](const char* objects, std::uint32_t count, std::uint32_t capacity) {
-        if (count > capacity)
-            throw Error(objects + std::string(" objects occupy ") + std::to_string(count) + " voxels at " +
-                        std::to_string(voxels_.grid()) + "^3, but their list has a capacity of " +
-                        std::to_string(capacity) +
-                        "; raise the limit of active voxels, or use a coarser grid");
-    };
-    check("dynamic", dynamic.voxelCount, dynamic.capacity);
-    check("static", still.staticVoxels, still.capacity);
+    if (still.staticVoxels > still.capacity)
+        throw Error("static objects occupy " + std::to_string(still.staticVoxels) + " voxels at " +
+                    std::to_string(voxels_.grid()) + "^3, but their list has a capacity of " +
+                    std::to_string(still.capacity) +
+                    "; raise the limit of active voxels, or use a coarser grid");
     // The static faces of one cube never change. Those of cascades get room before they need it, because rays
     // miss a face without room.
     const std::uint32_t listed = std::min(still.faceCount, still.faceCapacity),

@@ -89,15 +89,16 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
     const gl::DebugGroup group("list faces");
     projection_.use();
     voxels.bindForVoxelization();
-    voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
     markFaces_.setUniform(VCT_UNIFORM_LIST, list);
     drawIntoCascades(scene, markFaces_, part, region);
-    // The next pass loads from the index image, reads the list and is dispatched by the commands.
-    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                      GL_COMMAND_BARRIER_BIT);
+    // The next pass reads the marks, and is dispatched by the commands.
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     listFaces_.use();
-    voxels.staticIndex().bind(VCT_TEX_VOXELS);
-    voxels.index().dispatchOverLevel(list);
+    gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+    voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    if (list != 0) voxels.pagesOf(list).bindImage(VCT_IMAGE_PAGES, 0, GL_WRITE_ONLY);
+    voxels.index().dispatchOverMarkedBlocks();
     // Later passes fetch from the index texture, read the lists and are dispatched over them. The debug view
     // draws the listed voxels.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
@@ -109,7 +110,8 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std
     const gl::DebugGroup group("accumulate");
     projection_.use();
     voxels.bindForVoxelization();
-    voxels.indexOf(list).bind(VCT_TEX_VOXELS);
+    voxels.bindIndices();
+    accumulate_.setUniform(VCT_UNIFORM_LIST, list);
     drawIntoCascades(scene, accumulate_, part, region);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -75,6 +75,7 @@ float faceSumUnits(std::size_t triangles) {
 DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, int cascades,
                                      std::uint32_t listCapacity, bool dynamicObjects, bool emission)
     : cascades_(cascades),
+      dynamicObjects_(dynamicObjects),
       emission_(emission),
       index_(shaders, grid, listCapacity,
              dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
@@ -97,9 +98,6 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
         listFresh_ = gl::Program(shaders, listFreshProgram());
         listBlocks_ = gl::Program(shaders, listBlocksProgram());
     }
-    for (int i = 0; dynamicObjects && i < 2; ++i)
-        dynamicIndices_.push_back(
-            gl::Texture::make3d("voxels of dynamic objects", GL_R32UI, grid, grid, cascades * grid, 1));
 }
 
 std::size_t DirectionalVoxels::bytesFor(int grid, int cascades, std::uint32_t listCapacity) {
@@ -113,14 +111,19 @@ Resources DirectionalVoxels::resources() const {
     add(resources, blocks_);
     add(resources, faceData_);
     if (faceSums_.bytes() > 0) add(resources, faceSums_);
-    for (const gl::Texture& texture : dynamicIndices_)
-        add(resources, texture);
+    for (const std::vector<gl::Texture>* textures : {&dynamicIndices_, &dynamicPages_})
+        for (const gl::Texture& texture : *textures)
+            add(resources, texture);
     return resources;
 }
 
 const gl::Texture& DirectionalVoxels::indexOf(std::uint32_t list) const {
     return list < VCT_LIST_DYNAMIC || dynamicIndices_.empty() ? index_.texture()
                                                               : dynamicIndices_[list - VCT_LIST_DYNAMIC];
+}
+
+const gl::Texture& DirectionalVoxels::pagesOf(std::uint32_t list) const {
+    return dynamicPages_.empty() ? index_.texture() : dynamicPages_[list - VCT_LIST_DYNAMIC];
 }
 
 std::uint32_t DirectionalVoxels::firstFaceWord() const {
@@ -163,12 +166,11 @@ std::size_t DirectionalVoxels::words() const {
 void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     const gl::DebugGroup group("clear voxels");
     index_.clearTexture();
-    for (const gl::Texture& texture : dynamicIndices_)
-        gl::clearTexture3d(texture, cascades_ * grid());
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
     faceSums_ = {};
     capacities_ = capacities;
+    makeDynamicIndices();
     pose_ = 0;
     shared::CommandLists commands = index_.initialCommands();
     placeLists(commands);
@@ -198,6 +200,7 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     faceData_.read(before.data(), faceData_.bytes());
     faceSums_.read(sumsBefore.data(), faceSums_.bytes());
     capacities_ = capacities;
+    makeDynamicIndices();
     placeLists(commands);
     std::vector<std::uint32_t> after(words()), sums(std::size_t{idCapacity()} * sumWords());
     const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
@@ -221,9 +224,8 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         now.faceCount = count;
         now.staticFaces = std::min(now.staticFaces, count);
         if (list == 0) continue;  // its ids stay
-        // The index also marks faces that did not fit into the lists, and has their ids, so it is rebuilt.
         const auto first = after.begin() + static_cast<std::ptrdiff_t>(now.firstFace);
-        if (now.faceCapacity > 0) writeIndex(list, now.firstId, {first, first + count});
+        if (count > 0) writeIndex(list, now.firstId, {first, first + count});
     }
     const std::uint32_t oldBits = (old.lists[0].faceCapacity + 31) / 32, bits = (capacities_[0] + 31) / 32;
     for (const std::uint32_t i : {0U, 1U, 2U})
@@ -250,32 +252,61 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     index_.setCommands(commands);
 }
 
-// Writes the index of the faces in a list: packCell() of shaders/directional/face_data.glsl. The entries of
+void DirectionalVoxels::makeDynamicIndices() {
+    dynamicIndices_.clear();
+    dynamicPages_.clear();
+    if (!dynamicObjects_) return;
+    // As many pages as faces, because a page has a face, but not more than blocks, and the empty one.
+    const int side = grid() / VCT_BRICK_SIDE, blocks = side * side * side * cascades_,
+              pages = std::min(static_cast<int>(capacities_[VCT_LIST_DYNAMIC]), blocks) + 1,
+              depth = VCT_BRICK_SIDE * ((pages + side * side - 1) / (side * side));
+    for (int i = 0; i < 2; ++i) {
+        dynamicIndices_.push_back(
+            gl::Texture::make3d("voxels of dynamic objects", GL_R32UI, grid(), grid(), depth, 1));
+        dynamicPages_.push_back(
+            gl::Texture::make3d("blocks of dynamic objects", GL_RGBA16UI, side, side, cascades_ * side, 1));
+        gl::clearTexture3d(dynamicIndices_.back(), depth);
+        gl::clearTexture3d(dynamicPages_.back(), cascades_ * side);
+    }
+}
+
+// Writes the index of the faces in a list of dynamic objects: shaders/directional/index.glsl. The entries of
 // a voxel follow each other.
 void DirectionalVoxels::writeIndex(std::uint32_t list, std::uint32_t firstId,
                                    const std::vector<std::uint32_t>& entries) const {
-    const gl::Texture& index = indexOf(list);
-    if (entries.empty()) {
-        gl::clearTexture3d(index, cascades_ * grid());
-        return;
-    }
-    const auto side = static_cast<std::uint32_t>(grid());
-    std::vector<std::uint32_t> cells(std::size_t{side} * side * side * static_cast<std::uint32_t>(cascades_));
+    const auto side = static_cast<std::uint32_t>(grid()), blocks = side / VCT_BRICK_SIDE;
+    std::vector<std::uint32_t> cells(indexOf(list).bytes() / sizeof(std::uint32_t));
+    std::vector<glm::u16vec4> pages(pagesOf(list).bytes() / sizeof(glm::u16vec4));
+    std::uint32_t used = 0;
     for (std::uint32_t i = 0; i < entries.size(); ++i) {
-        std::uint32_t& cell = cells[placeIn(side, entries[i])];
+        const glm::uvec3 voxel = shared::unpackFaceVoxel(entries[i]), block = voxel >> 2U;
+        glm::u16vec4& page = pages[block.x + blocks * (block.y + std::size_t{blocks} * block.z)];
+        if (page == glm::u16vec4(0)) {
+            ++used;
+            page = {glm::uvec3(used % blocks, used / blocks % blocks, used / (blocks * blocks)) << 2U, 0};
+        }
+        const glm::uvec3 texel = glm::uvec3(page) + (voxel & 3U);
+        std::uint32_t& cell = cells[texel.x + side * (texel.y + std::size_t{side} * texel.z)];
         if (cell == 0) cell = (firstId + i + 1) << VCT_FACE_MASK_BITS;
         cell |= 1U << shared::unpackFace(entries[i]);
     }
-    index.bind(VCT_TEX_VOXELS);
-    gl::TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, grid(), grid(), cascades_ * grid(), GL_RED_INTEGER,
-                      GL_UNSIGNED_INT, cells.data());
+    const auto upload = [](const gl::Texture& texture, int depth, GLenum format, GLenum type,
+                           const void* texels) {
+        texture.bind(VCT_TEX_DYNAMIC_VOXELS);
+        gl::TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, texture.width(), texture.height(), depth, format, type,
+                          texels);
+    };
+    upload(indexOf(list), static_cast<int>(cells.size() / (std::size_t{side} * side)), GL_RED_INTEGER,
+           GL_UNSIGNED_INT, cells.data());
+    upload(pagesOf(list), cascades_ * static_cast<int>(blocks), GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
+           pages.data());
 }
 
 // Removes what the last pose has listed, and resets the lists.
 void DirectionalVoxels::resetLists(bool withStatic) {
     clearDynamic_.use();
     if (hasDynamicObjects()) {
-        indexOf(dynamicList() ^ 1U).bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+        pagesOf(dynamicList() ^ 1U).bindImage(VCT_IMAGE_PAGES, 0, GL_WRITE_ONLY);
         index_.dispatchOverFaces(0);
     }
     clearBlocks_.use();
@@ -324,7 +355,7 @@ void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t mov
     listBlocks_.use();
     dispatchOverBlocks(cascades_ * grid() / VCT_BRICK_SIDE);
     markStatic();
-    gl::MemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    gl::MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void DirectionalVoxels::dispatchOverBlocks(int layers) const {
@@ -361,8 +392,7 @@ void DirectionalVoxels::resolve(std::uint32_t changed, const Bounds& objects) {
     bindForVoxelization();
     const bool visitsAll = cascades_ == 1 || hasDynamicObjects();
     if (!visitsAll) listFresh();
-    staticIndex().bind(VCT_TEX_VOXELS);
-    dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    bindIndices();
     for (const gl::Program* program : {&resolve_, &extents_}) {
         program->use();
         if (cascades_ > 1) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
@@ -392,6 +422,12 @@ void DirectionalVoxels::listFresh() const {
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
+void DirectionalVoxels::bindIndices() const {
+    staticIndex().bind(VCT_TEX_VOXELS);
+    dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    dynamicPages().bind(VCT_TEX_DYNAMIC_PAGES);
+}
+
 void DirectionalVoxels::bindLists() const {
     index_.bindLists();
     faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
@@ -404,8 +440,7 @@ void DirectionalVoxels::bindForVoxelization() const {
 
 void DirectionalVoxels::bindForRays() const {
     faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
-    staticIndex().bind(VCT_TEX_VOXELS);
-    dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    bindIndices();
     blocks_.bind(VCT_TEX_BLOCKS);
 }
 

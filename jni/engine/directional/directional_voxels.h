@@ -76,13 +76,17 @@ class DirectionalVoxels {
     // Number of face ids: one per static face, and one per dynamic face in each of two poses.
     std::uint32_t idCapacity() const { return capacities_[0] + 2 * capacities_[VCT_LIST_DYNAMIC]; }
 
-    bool hasDynamicObjects() const { return !dynamicIndices_.empty(); }
+    bool hasDynamicObjects() const { return dynamicObjects_; }
     // The list of the dynamic objects in the present pose. That of the static geometry is list 0.
     std::uint32_t dynamicList() const { return VCT_LIST_DYNAMIC + pose_; }
-    // The index of the occupied voxels of a list. The indices of the dynamic lists alternate with them.
+    // The index of the occupied voxels of a list: shaders/directional/index.glsl. The indices of the dynamic
+    // lists alternate with them.
     const gl::Texture& indexOf(std::uint32_t list) const;
+    // Its pages, of a dynamic list.
+    const gl::Texture& pagesOf(std::uint32_t list) const;
     const gl::Texture& staticIndex() const { return indexOf(0); }
     const gl::Texture& dynamicIndex() const { return indexOf(dynamicList()); }
+    const gl::Texture& dynamicPages() const { return pagesOf(dynamicList()); }
 
     // Clears everything, and allocates buffers for these capacities.
     void reset(const FaceCapacities& capacities);
@@ -123,6 +127,8 @@ class DirectionalVoxels {
     // Entries of the faces of blocks. Waits for the GPU.
     std::vector<std::uint32_t> readBlockFaces() const;
 
+    // Binds the indices of the static geometry and of the present pose.
+    void bindIndices() const;
     // Binds the lists of voxels and faces, and the faces' data for shaders.
     void bindLists() const;
     // The same, and the faces' sums.
@@ -135,15 +141,18 @@ class DirectionalVoxels {
     // Dispatches the current program, of groups of 4^3 blocks, over so many layers of blocks.
     void dispatchOverBlocks(int layers) const;
     void placeLists(shared::CommandLists& commands) const;
+    // Makes the indices of dynamic objects, without faces.
+    void makeDynamicIndices();
     void writeIndex(std::uint32_t list, std::uint32_t firstId,
                     const std::vector<std::uint32_t>& entries) const;
     std::uint32_t firstFaceWord() const;
     std::size_t words() const;
 
     int cascades_;
-    bool emission_;
+    bool dynamicObjects_, emission_;
     VoxelPyramid index_;
-    std::vector<gl::Texture> dynamicIndices_;  // two, alternately of the present pose and the last one
+    std::vector<gl::Texture> dynamicIndices_,
+        dynamicPages_;  // two each, alternately of the present pose and the last one
     gl::Buffer faceData_, faceSums_;
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0;

@@ -246,7 +246,10 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t moved)
     for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
         if (list == 0 ? moved == 0 : !voxels.hasDynamicObjects()) continue;
         gl::Uniform1ui(VCT_UNIFORM_LIST, list);
-        (list == 0 ? voxels.staticIndex() : voxels.indexOf(list ^ 1U)).bind(VCT_TEX_PREVIOUS_VOXELS);
+        if (list != 0) {
+            voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
+            voxels.pagesOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_PAGES);
+        }
         voxels.index().dispatchOverFaces(list == 0 ? VCT_LIST_VISITED : static_cast<int>(list));
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
@@ -547,8 +550,7 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     gl::Uniform1ui(VCT_UNIFORM_LIST, list);
     if (listVisited_) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, marksAll ? 1 : 0);
     words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
-    voxels.staticIndex().bind(VCT_TEX_VOXELS);
-    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    voxels.bindIndices();
     voxels.index().dispatchOverFaces(marksAll ? static_cast<int>(list) : VCT_LIST_VISITED);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }

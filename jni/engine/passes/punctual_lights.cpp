@@ -18,9 +18,9 @@ namespace {
 
 using Type = PunctualLight::Type;
 
-// Texels along a side. All maps together take at most as much memory as one map of 2048^2 texels, 8 MB.
+// Texels along a side. All maps together take at most as much memory as one map of 1536^2 texels, 4.7 MB.
 constexpr int maxMapSize = 512;
-constexpr int maxTotalSize = 2048;
+constexpr int maxTotalSize = 1536;
 // Texels at each border of a map that only the filter reads.
 constexpr int margin = 2;
 // The near plane, relative to the far plane. Nearer surfaces cast no shadow.
