@@ -34,7 +34,7 @@ class SavedState {
         GL_SCISSOR_TEST,    GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD,
         GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,         GL_SAMPLE_ALPHA_TO_COVERAGE};
     // Units 0 to the last one that passes read, and the one on which textures are created.
-    static constexpr std::size_t textureUnits = VCT_TEX_ENVIRONMENT + 2;
+    static constexpr std::size_t textureUnits = VCT_TEX_DYNAMIC_PAGES + 2;
 
     std::array<GLint, switches.size()> enabled_{};
     GLint drawFramebuffer_ = 0, readFramebuffer_ = 0, program_ = 0, vertexArray_ = 0, textureUnit_ = 0;

@@ -2,6 +2,7 @@
 // to the sums of the voxel's faces that it covers. The sums are integers, so the order of the fragments does
 // not matter.
 #include "directional/coverage.glsl"
+#include "directional/face_sums.glsl"
 #include "directional/index.glsl"
 
 centroid in vec3 fragmentNormal;

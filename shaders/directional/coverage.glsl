@@ -2,7 +2,6 @@
 // agree on the faces that a fragment covers.
 #include "shared/material.glsl"
 #include "directional/cascades.glsl"
-#include "directional/face_sums.glsl"
 
 #ifndef VCT_PIXEL_SAMPLES
 #define VCT_PIXEL_SAMPLES 4
@@ -18,6 +17,11 @@ const vec2 samplePlaces[1] = vec2[1](vec2(0.0));
 const vec2 samplePlaces[4] =
     vec2[4](vec2(-0.125, -0.375), vec2(0.375, -0.125), vec2(-0.375, 0.125), vec2(0.125, 0.375));
 #endif
+
+// Converts coverage in 0..1 to fixed point. If the result is 0, the fragment must not add to the face.
+uint fixedCoverage(float weight) {
+    return uint(weight * frame.faceSumUnits + 0.5);
+}
 
 // Samples of a fragment's pixel, of which a voxel has 4 x 4 across the projection.
 struct Samples {

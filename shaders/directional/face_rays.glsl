@@ -51,7 +51,7 @@ int directionNumber(int i) {
 // The squared sines of the angles between the normal and four successive directions.
 vec4 gatherSquaredSines(int first) {
     // The number's bits are the first ones of the reversed ones.
-    const int otherBits = 32 - findMSB(VCT_GATHER_DIRECTIONS);
+    int otherBits = 32 - findMSB(VCT_GATHER_DIRECTIONS);
     uvec4 reversed = bitfieldReverse(uvec4((first + ivec4(0, 1, 2, 3)) * goldenStep)) >> otherBits;
     return (vec4(reversed) + 0.5) / float(VCT_GATHER_DIRECTIONS);
 }

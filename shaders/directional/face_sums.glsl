@@ -31,11 +31,6 @@ uint sumsAt(uint id) {
     return id * faceSumWords;
 }
 
-// Converts coverage in 0..1 to fixed point. If the result is 0, the fragment must not add to the face.
-uint fixedCoverage(float weight) {
-    return uint(weight * frame.faceSumUnits + 0.5);
-}
-
 void addToWords(uint at, vec3 value) {
     uvec3 units = uvec3(clamp(value, 0.0, 1.0) * frame.faceSumUnits + 0.5);
     if (units.x != 0u) atomicAdd(faceSumData[at], units.x);

@@ -82,7 +82,7 @@ TEST_F(Embedded, LookUpTakesTheBindingsOfTheProgramAndNoOthers) {
     std::set<std::string> changed, expected;
     for (const auto& [name, values] : readGlState())
         if (values != before.at(name)) changed.insert(name);
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 8; ++i)
         expected.insert("textures and sampler of unit " + std::to_string(5 + i));
     for (int i = 0; i < 2; ++i)
         expected.insert("uniform buffer " + std::to_string(4 + i));

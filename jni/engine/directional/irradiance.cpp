@@ -289,7 +289,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, bool waits) {
     bind(voxels);
     voxels.bindForRays();
     if (plan_.updatesSky) runOverAll(sky_, voxels);
-    if (plan_.traces) run(trace_, voxels);
+    if (plan_.traces && capacities_[0] > 0) run(trace_, voxels);
     if (plan_.traces && voxels.hasDynamicObjects()) runOver(*traceMoving_, voxels, voxels.dynamicList());
     if (block_ && (plan_.traces || plan_.updatesSky)) findBlockedRays(voxels, waits);
     for (int bounce = 0; bounce < plan_.bounces; ++bounce) {
