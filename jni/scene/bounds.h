@@ -20,7 +20,7 @@ struct Bounds {
 // Empty bounds: including a point makes them that point.
 const Bounds noBounds{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
 
-// Bounds of all that a float can tell from the origin.
+// These bounds hold every position. They are finite, so that shaders can compute with them.
 const Bounds everywhere{glm::dvec3(-1e30), glm::dvec3(1e30)};
 
 inline Bounds united(const Bounds& a, const Bounds& b) {

@@ -79,17 +79,6 @@ float voxelsInside(vec3 positionVolume, vec4 cascade) {
     return halfSide - max(fromCentre.x, max(fromCentre.y, fromCentre.z));
 }
 
-// The finest cascade that holds a texel around a position (volume space). `level`: mip level of the texel in
-// cascade `own`. A coarser cascade may have no texels as small as that.
-int cascadeOfSample(vec3 positionVolume, int own, float level) {
-    int cascade = 0;
-    for (; cascade < cascades - 1; ++cascade) {
-        float texel = exp2(max(level + float(own - cascade), 0.0));
-        if (voxelsInside(positionVolume, frame.cascade[cascade]) >= 0.5 * texel) break;
-    }
-    return cascade;
-}
-
 // Surfaces take their irradiance from the finest cascade around them. Over the last block of voxels inside
 // of a cascade's border, the next one is mixed in.
 struct LookUpCascade {

@@ -1,5 +1,5 @@
-// The static faces that a new pose leaves as they are: those away from the moving objects in that pose and in
-// the last one.
+// Tells which static faces a new pose leaves as they are: those away from the moving objects in that pose and
+// in the last one.
 #include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 

@@ -179,13 +179,17 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const bool isJump = isFar(shifts, voxels_.grid());
     const bool changesStatic = isMoved || (hasCascades_ && (inputs.forceRebuild || isIncomplete_));
     const bool voxelizes = changesStatic || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
+    Bounds changed = noBounds;
     if (voxelizes)
         timer.time(Step::voxelize, [&] {
             moved = revoxelize(inputs.scene, inputs.cascades, inputs.forceRebuild);
+            changed = voxels_.changed();
             // A picture of converged light waits for the GPU, so that its lists have room in it already.
             if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands()) &&
-                (isIncomplete_ || hasDynamic_))
+                (isIncomplete_ || hasDynamic_)) {
                 moved |= revoxelize(inputs.scene, inputs.cascades, false);
+                changed = united(changed, voxels_.changed());
+            }
             counts_.start(voxels_.index().commands());
         });
     if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))
@@ -196,7 +200,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
                                  .sky = before && before->skyChanges != inputs.now.skyChanges,
                                  .all = isJump || (voxelizes && hasDynamic_),
                                  .cascades = isMoved},
-                                shifts, voxelizes ? voxels_.changed() : noBounds);
+                                shifts, changed);
     cachedFor_ = inputs.now;
 
     VoxelLight light;
