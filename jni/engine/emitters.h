@@ -56,6 +56,8 @@ class Emitters {
     void setRadiance(std::size_t instance, const glm::vec3& radiance);
     const std::vector<bool>& instances() const { return instances_; }
     const gl::Buffer& uniforms() const { return uniforms_; }
+    // Words of a face for what it sees of the parts, of VCT_SEEN_PARTS each.
+    int words() const { return (static_cast<int>(parts_.size()) + VCT_SEEN_PARTS - 1) / VCT_SEEN_PARTS; }
 
   private:
     struct Placed {

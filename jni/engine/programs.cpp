@@ -38,7 +38,7 @@ std::vector<std::string> gatherDefines(const GatherSettings& settings) {
 std::vector<std::string> lightDefines(const LightFeatures& sources) {
     std::vector<std::string> defines;
     if (sources.environment) defines.emplace_back("VCT_ENVIRONMENT");
-    if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
+    if (sources.emitters > 0) defines.push_back("VCT_EMITTERS " + std::to_string(sources.emitters));
     return defines;
 }
 

@@ -32,7 +32,7 @@ std::vector<std::string> gatherDefines(const GatherSettings& settings);
 struct LightFeatures {
     bool punctual = false;      // punctual lights (passes/punctual_lights.h)
     bool environment = false;   // a sky that depends on direction (environment.h)
-    bool emitters = false;      // compact emitters (emitters.h)
+    int emitters = 0;           // compact emitters (emitters.h): words per face for what it sees of them
     bool emission = false;      // surfaces that emit light
     bool softPunctual = false;  // punctual lights have a size of their own (PunctualLight::size)
 };

@@ -256,7 +256,7 @@ SceneState Renderer::state() const {
 }
 
 LightFeatures Renderer::lightFeatures() const {
-    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value(),
+    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_ ? emitters_->words() : 0,
             scene_.features().has(featureEmissive), softLights_};
 }
 

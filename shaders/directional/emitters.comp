@@ -58,7 +58,8 @@ void main() {
             if (isDynamic || moves) {
                 share = visibleShare(part, seen, start, cascade, allGeometry);
             } else {
-                uint at = irradianceAt(id) + VCT_FACE_SEEN_PARTS + uint(p) / 8u, shift = 4u * (uint(p) % 8u);
+                uint at = irradianceAt(id) + VCT_FACE_SEEN_PARTS + uint(p / VCT_SEEN_PARTS),
+                     shift = 4u * uint(p % VCT_SEEN_PARTS);
                 uint bits = faceIrradianceData[at] >> shift & 15u;
                 if (bits == 0u) {
                     bits = packSeenPart(visibleShare(part, seen, start, cascade, staticGeometry));

@@ -28,9 +28,10 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 #define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; storeBlockedCounts()
 #define VCT_FACE_ROW 20u                    // two words: mean of `now` over a row of neighbouring faces
 #define VCT_FACE_EMITTERS 22u               // two words: irradiance by the compact emitters
-#define VCT_FACE_SEEN_PARTS 24u             // four words: visible share of the emitters' parts, 4 bits each
+// Visible share of the emitters' parts, 4 bits each. VCT_EMITTERS: the number of words.
+#define VCT_FACE_SEEN_PARTS VCT_FACE_SEEN_WORD
 #ifdef VCT_EMITTERS
-#define VCT_IRRADIANCE_WORDS VCT_EMITTERS_FACE_IRRADIANCE_WORDS
+#define VCT_IRRADIANCE_WORDS (VCT_FACE_SEEN_WORD + uint(VCT_EMITTERS))
 #else
 #define VCT_IRRADIANCE_WORDS VCT_FACE_IRRADIANCE_WORDS
 #endif

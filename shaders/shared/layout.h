@@ -183,10 +183,12 @@ using glm::vec4;
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without and with
-// compact emitters.
+// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without compact
+// emitters. With them, the words for what a face sees of their parts begin at VCT_FACE_SEEN_WORD and are the
+// last ones. A word has so many parts.
 #define VCT_FACE_IRRADIANCE_WORDS 22u
-#define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 28u
+#define VCT_FACE_SEEN_WORD 24u
+#define VCT_SEEN_PARTS 8
 // The first of the two words of the light that pixels see.
 #define VCT_FACE_SHOWN_WORD 4u
 // The first of the five words that depend on what the cached rays have hit, and the last of them.

@@ -117,7 +117,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
     if (hasCascades) listArrived_.emplace(shaders, lightProgram("list_arrived", sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block_rays", settings, sources));
-    if (sources.emitters) findEmitters_.emplace(shaders, emittersProgram(sources));
+    if (emitters_ > 0) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
 
 GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
@@ -126,7 +126,7 @@ GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     if (ids > maxIds(settings.hitBits)) settings.hitBits = 24;
     const auto bytes = [&] {
         const auto hits = static_cast<std::size_t>(settings.directions);
-        const std::size_t words = VCT_EMITTERS_FACE_IRRADIANCE_WORDS + 1 +
+        const std::size_t words = VCT_FACE_SEEN_WORD + VCT_MAX_EMITTER_PARTS / VCT_SEEN_PARTS + 1 +
                                   hits * static_cast<std::size_t>(settings.hitBits) / 32 + hits / 8;
         return words * ids * sizeof(std::uint32_t);
     };

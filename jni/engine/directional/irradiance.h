@@ -104,7 +104,8 @@ class Irradiance {
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words per face at the beginning of faceIrradiance().
     std::uint32_t irradianceWords() const {
-        return emitters_ ? VCT_EMITTERS_FACE_IRRADIANCE_WORDS : VCT_FACE_IRRADIANCE_WORDS;
+        return emitters_ > 0 ? VCT_FACE_SEEN_WORD + static_cast<std::uint32_t>(emitters_)
+                             : VCT_FACE_IRRADIANCE_WORDS;
     }
     std::vector<const gl::Texture*> textures() const;
     // Binds the buffers and textures that the shaders of a step use.
@@ -165,7 +166,7 @@ class Irradiance {
     std::optional<gl::Program> forwardHits_, listVisited_, listArrived_;  // only with cascades
     std::optional<gl::Program> block_;                                    // only with moving objects
     std::optional<gl::Program> findEmitters_;  // only if the scene has compact emitters
-    bool emitters_;
+    int emitters_;                             // LightFeatures::emitters
     std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
     bool isBakedCurrent_ = false;
     bool isBakedStep_ = false;  // the present step took over all of its light

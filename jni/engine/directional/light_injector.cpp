@@ -8,7 +8,7 @@ namespace vct {
 gl::ProgramDescription injectProgram(const LightFeatures& sources) {
     std::vector<std::string> defines = emissionDefines(sources.emission);
     if (sources.punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
-    if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
+    if (sources.emitters > 0) defines.push_back("VCT_EMITTERS " + std::to_string(sources.emitters));
     return {"inject", {"directional/inject.comp"}, defines};
 }
 
