@@ -18,6 +18,11 @@ int levelsOf(int grid, VoxelPyramid::Kind kind) {
     return kind == VoxelPyramid::Kind::packed ? static_cast<int>(std::log2(grid)) + 1 : 1;
 }
 
+// Directional voxels of the base level are counted, but only their faces are listed.
+bool hasEntries(VoxelPyramid::Kind kind, int list) {
+    return kind == VoxelPyramid::Kind::packed || list == VCT_BRICK_LEVEL;
+}
+
 shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind,
                                          int cascades) {
     const auto voxels = [=](int level) {
@@ -42,15 +47,15 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
         c.firstEntry = firstEntry;
         if (hasFacesOnly) continue;
         c.capacity = static_cast<std::uint32_t>(isOfBlocks ? voxels(list) : std::min(wanted, voxels(list)));
-        firstEntry += c.capacity;
+        if (hasEntries(kind, list)) firstEntry += c.capacity;
     }
     return commands;
 }
 
-std::size_t listBytes(const shared::CommandLists& commands) {
+std::size_t listBytes(const shared::CommandLists& commands, VoxelPyramid::Kind kind) {
     std::size_t entries = 0;
-    for (const shared::LevelCommands& c : commands.lists)
-        entries = std::max(entries, std::size_t{c.firstEntry} + c.capacity);
+    for (int list = 0; list < VCT_LISTS; ++list)
+        if (hasEntries(kind, list)) entries += commands.lists[list].capacity;
     return entries * sizeof(std::uint32_t);
 }
 
@@ -74,7 +79,7 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
       initialCommands_(makeInitialCommands(grid, baseCapacity, kind, cascades)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),
-      activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
+      activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_, kind), nullptr,
                     GL_DYNAMIC_COPY) {
     if (missesCounts())
         dispatched_.emplace("dispatched commands", GL_COPY_WRITE_BUFFER, sizeof initialCommands_,
@@ -85,7 +90,7 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
 
 std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind, int cascades) {
     return gl::textureBytes(GL_R32UI, grid, grid, grid * cascades, levelsOf(grid, kind)) +
-           listBytes(makeInitialCommands(grid, baseCapacity, kind, cascades));
+           listBytes(makeInitialCommands(grid, baseCapacity, kind, cascades), kind);
 }
 
 Resources VoxelPyramid::resources() const {

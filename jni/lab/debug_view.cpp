@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/directional/directional_volume.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
 #include "gl/objects.h"
@@ -106,9 +107,13 @@ std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera) {
 
     VoxelView voxelView(shaders, size);
     const VoxelPyramid& occupancy = renderer.occupancy();
-    for (int level = 0; level < occupancy.levels(); ++level)
-        views.push_back(
-            {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(occupancy, level)), false});
+    for (int level = 0; level < occupancy.levels(); ++level) {
+        const DirectionalVolume* const directional = renderer.directional();
+        const std::vector<std::uint32_t> list =
+            directional != nullptr ? directional->voxels().readVoxels() : occupancy.readList(level);
+        views.push_back({"voxels_level_" + std::to_string(level),
+                         readImage(voxelView.draw(occupancy, level, list)), false});
+    }
 
     for (DebugView& part : lightParts(renderer, camera))
         views.push_back(std::move(part));

@@ -28,7 +28,8 @@ VoxelView::VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size)
     indices_ = gl::Buffer("cube", GL_ELEMENT_ARRAY_BUFFER, sizeof cube, cube, GL_STATIC_DRAW);
 }
 
-const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
+const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level,
+                                   const std::vector<std::uint32_t>& list) {
     const gl::DebugGroup group("voxel view");
     const gl::RenderPass pass(framebuffer_, gl::Load::clear, gl::Store::colors);
     program_.use();
@@ -36,15 +37,13 @@ const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
     voxels.texture().bind(VCT_TEX_VOXELS);
     vertexArray_.bind();
     indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // a driver fault requires this: see GpuScene::bindGeometry()
-    // ES 3.1 has no base instance, so the attribute's offset selects the level's entries.
-    voxels.activeVoxels().bind(GL_ARRAY_BUFFER);
+    list_ = gl::Buffer("listed voxels", GL_ARRAY_BUFFER, list.size() * sizeof list[0], list.data(),
+                       GL_STREAM_DRAW);
     gl::EnableVertexAttribArray(VCT_ATTRIBUTE_VOXEL);
-    gl::VertexAttribIPointer(VCT_ATTRIBUTE_VOXEL, 1, GL_UNSIGNED_INT, 0,
-                             reinterpret_cast<const void*>(voxels.firstEntry(level) * sizeof(GLuint)));
+    gl::VertexAttribIPointer(VCT_ATTRIBUTE_VOXEL, 1, GL_UNSIGNED_INT, 0, nullptr);
     gl::VertexAttribDivisor(VCT_ATTRIBUTE_VOXEL, 1);
-    const shared::LevelCommands commands = voxels.readCommands().lists[level];
     gl::DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(std::size(cube)), GL_UNSIGNED_SHORT, nullptr,
-                              static_cast<GLsizei>(std::min(commands.voxelCount, commands.capacity)));
+                              static_cast<GLsizei>(list.size()));
     return color_;
 }
 

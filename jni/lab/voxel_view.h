@@ -12,15 +12,15 @@ class VoxelView {
   public:
     VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size);
 
-    // Draws a level from the renderer's camera. Waits for the GPU to read the number of voxels. Returns an
-    // RGBA16F texture; rgb is relative to E/pi.
-    const gl::Texture& draw(const VoxelPyramid& voxels, int level);
+    // Draws the listed voxels of a level (shared::packEntry()) from the renderer's camera. Returns an RGBA16F
+    // texture; rgb is relative to E/pi.
+    const gl::Texture& draw(const VoxelPyramid& voxels, int level, const std::vector<std::uint32_t>& list);
 
   private:
     gl::Program program_;
     gl::Texture color_, depth_;
     gl::Framebuffer framebuffer_;
-    gl::Buffer indices_;
+    gl::Buffer indices_, list_;
     gl::VertexArray vertexArray_;
 };
 

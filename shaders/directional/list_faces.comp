@@ -28,7 +28,7 @@ uint placeOf(uint count) {
 uint listVoxel(ivec3 voxel, uint known, bool hasPage) {
     bool isDynamic = list != 0u;
     uint faces = markedFaces(voxel, isDynamic);
-    if (known == 0u) appendVoxel(0u, uvec3(voxel));
+    if (known == 0u) atomicAdd(commands[0].voxelCount, 1u);
     uint count = uint(bitCount(faces)), first = placeOf(count), i = first;
     bool fits = first != noIds && hasPage;
     for (uint left = faces; left != 0u && fits; left &= left - 1u) {

@@ -1,4 +1,4 @@
-// Lists the static voxels that the cascades still hold after they have moved, of those that
+// Indexes the static voxels that the cascades still hold after they have moved, of those that
 // unlist_static.comp has found. Their faces keep their ids. The ids of the other faces are free from the next
 // move on; until then they lead to the face of the next cascade in the same place (faceInstead()), and keep
 // their radiance. Only with cascades.
@@ -53,7 +53,7 @@ void main() {
             entry = id + size < total ? faceData[list + id + size] : VCT_FREE_FACE;
         } while (size < 6u && (entry & VCT_FIRST_FACE) == 0u);
         if (stays) {
-            appendVoxel(0u, uvec3(now));
+            atomicAdd(commands[0].voxelCount, 1u);
             imageStore(index, now, uvec4(packCell(id, faces)));
             markInBlock(now, faces, false);
             uint shift, at = maskAt(now >> VCT_BRICK_LEVEL, shift);

@@ -1,6 +1,6 @@
 // Removes the static faces of cascades that have moved from the index and from the blocks, and lists the
 // first one of each of their voxels for scroll.comp, in VCT_LIST_VISITED. The voxels of the other cascades
-// are listed where they are. The ids without a face may be used from now on. Only with cascades.
+// are counted. The ids without a face may be used from now on. Only with cascades.
 #include "directional/block_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -14,7 +14,7 @@ bool isFirst(uint entry) {
     return entry != VCT_FREE_FACE && (entry & VCT_FIRST_FACE) != 0u;
 }
 
-// An invocation appends the voxels that it finds together, because atomic operations on one word take long.
+// An invocation lists the voxels that it finds together, because atomic operations on one word take long.
 const uint perInvocation = 16u;
 
 void main() {
@@ -41,15 +41,11 @@ void main() {
             faceData[maskAt(block, shift)] = 0u;  // the other blocks of the word are of the same cascade
             imageStore(index, listed.voxel, uvec4(0u));
         }
-        uint v = still == 0u ? 0u : reserveVoxels(0u, still);
+        if (still != 0u) atomicAdd(commands[0].voxelCount, still);
         uint i = moving == 0u ? 0u : reserveFaces(uint(VCT_LIST_VISITED), moving);
-        for (uint id = begin; id < end && still + moving != 0u; id += uint(VCT_LIST_GROUP)) {
+        for (uint id = begin; id < end && moving != 0u; id += uint(VCT_LIST_GROUP)) {
             uint entry = faceData[list + id];
-            if (!isFirst(entry)) continue;
-            if (isMoved(entry))
-                faceData[commands[VCT_LIST_VISITED].firstFace + i++] = id;
-            else if (v++ < commands[0].capacity)
-                activeVoxels[commands[0].firstEntry + v - 1u] = packEntry(uvec3(unpackListed(entry).voxel));
+            if (isFirst(entry) && isMoved(entry)) faceData[commands[VCT_LIST_VISITED].firstFace + i++] = id;
         }
     }
 }

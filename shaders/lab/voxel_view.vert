@@ -1,5 +1,5 @@
-// Draws a cube per active voxel of a level, as instances. The active-voxel list is an instanced integer
-// attribute, because vertex shaders cannot read storage buffers on Mali.
+// Draws a cube per listed voxel of a level, as instances. The list is an instanced integer attribute, because
+// vertex shaders cannot read storage buffers on Mali.
 #include "packed/voxel_sample.glsl"
 
 layout(location = VCT_ATTRIBUTE_VOXEL) in uint entry;

@@ -27,16 +27,6 @@ uint appendVoxel(uint level, uvec3 voxel) {
     return index;
 }
 
-// Reserves `count` entries at the end of a level's list, and returns the position of the first.
-uint reserveVoxels(uint level, uint count) {
-    const uint group = uint(VCT_LIST_GROUP);
-    uint first = atomicAdd(commands[level].voxelCount, count), capacity = commands[level].capacity;
-    uint before = (min(first, capacity) + group - 1u) / group;
-    uint after = (min(first + count, capacity) + group - 1u) / group;
-    atomicAdd(commands[level].groupsX, min(after, VCT_MAX_GROUPS) - min(before, VCT_MAX_GROUPS));
-    return first;
-}
-
 bool overflowed(uint level) {
     return commands[level].voxelCount > commands[level].capacity;
 }

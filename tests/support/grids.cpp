@@ -58,12 +58,15 @@ Grid gridOf(Renderer& renderer) {
     const VoxelPyramid& pyramid = renderer.occupancy();
     const std::vector<std::uint32_t> counts = pyramid.readActiveCounts();
     for (int level = 0; level < pyramid.levels(); ++level) {
+        if (renderer.packed() == nullptr) continue;
         grid.lists.push_back(readEntries(pyramid, level, counts[static_cast<std::size_t>(level)]));
         std::sort(grid.lists.back().begin(), grid.lists.back().end());
-        if (renderer.packed() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
+        grid.words.push_back(readVoxels(pyramid.texture(), level));
     }
     if (renderer.directional() != nullptr) {
         const DirectionalVoxels& voxels = renderer.directional()->voxels();
+        grid.lists.push_back(voxels.readVoxels());
+        EXPECT_EQ(counts.at(0), grid.lists[0].size());
         grid.faces = readFaces(voxels);
         grid.blockFaces = voxels.readBlockFaces();
         std::sort(grid.blockFaces.begin(), grid.blockFaces.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 #include "core/error.h"
 #include "engine/programs.h"
@@ -376,6 +377,13 @@ std::vector<DirectionalVoxels::BaseFace> DirectionalVoxels::readBaseFaces() cons
                 faces.push_back({entries[i] & ~VCT_FIRST_FACE, base.firstId + i});
     }
     return faces;
+}
+
+std::vector<std::uint32_t> DirectionalVoxels::readVoxels() const {
+    std::set<std::uint32_t> voxels;
+    for (const BaseFace& face : readBaseFaces())
+        voxels.insert(shared::packEntry(shared::unpackFaceVoxel(face.entry)));
+    return {voxels.begin(), voxels.end()};
 }
 
 std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {

@@ -52,7 +52,7 @@ class DirectionalVoxels {
     int grid() const { return index_.grid(); }
     int cascades() const { return cascades_; }
 
-    // The index of the static geometry's occupied voxels, and all active-voxel lists.
+    // The index of the static geometry's occupied voxels, and the commands of all lists.
     const VoxelPyramid& index() const { return index_; }
     // The occupied voxels of blocks, for rays: shaders/directional/fill_blocks.comp.
     const gl::Texture& blocks() const { return blocks_; }
@@ -124,6 +124,8 @@ class DirectionalVoxels {
         std::uint32_t entry, id;
     };
     std::vector<BaseFace> readBaseFaces() const;
+    // Entries (shared::packEntry()) of the voxels of these faces, in ascending order.
+    std::vector<std::uint32_t> readVoxels() const;
     // Entries of the faces of blocks. Waits for the GPU.
     std::vector<std::uint32_t> readBlockFaces() const;
 
