@@ -337,10 +337,10 @@ bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
                     "; use a coarser grid");
     const std::uint32_t blockedBefore = blockedCapacity_;
     if (hasObjects_) {
-        // All rays of a small scene, 1/32 of those of a large one, or as many as there were.
+        // All rays of a small scene, 1/64 of those of a large one, or as many as there were.
         const std::uint32_t faces = capacities_[0];
         const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
-        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 32, std::min(all, 1U << 18U)});
+        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 64, std::min(all, 1U << 17U)});
     }
     const bool grows = before != capacities_;
     if (oldIds != 0 && !grows && blockedBefore == blockedCapacity_) return false;
@@ -437,10 +437,10 @@ void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
         if (i > 0 && count == 0) continue;  // the room is not used
         std::uint32_t& room = brickRooms_.at(i).layers;
         // Counts are read frames later, so room is added before it runs out.
-        if (listsChange_ ? count + count / 16 < room : count <= room) continue;
+        if (listsChange_ ? count + count / 32 < room : count <= room) continue;
         // Layers stay empty where a brick would go on in the next column of the texture.
         const std::uint32_t unused = VCT_BRICK_TEXELS * (count / (bricksHigh - 16) + 1);
-        room = count + unused + (listsChange_ ? count / 8 + 256 + 3 * VCT_BRICK_TEXELS * moving : 0);
+        room = count + unused + (listsChange_ ? count / 16 + 256 + 3 * VCT_BRICK_TEXELS * moving : 0);
         unplacedCascades_ = DirectionalVoxels::allCascades;
     }
 }
