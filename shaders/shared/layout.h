@@ -184,8 +184,8 @@ using glm::vec4;
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
 // Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without compact
-// emitters. With them, the words for what a face sees of their parts begin at VCT_FACE_SEEN_WORD and are the
-// last ones. A word has so many parts.
+// emitters. With them, the words from VCT_FACE_SEEN_WORD on hold what the face sees of the emitters' parts,
+// VCT_SEEN_PARTS to a word.
 #define VCT_FACE_IRRADIANCE_WORDS 22u
 #define VCT_FACE_SEEN_WORD 24u
 #define VCT_SEEN_PARTS 8

@@ -124,7 +124,8 @@ class DirectionalVoxels {
         std::uint32_t entry, id;
     };
     std::vector<BaseFace> readBaseFaces() const;
-    // Entries (shared::packEntry()) of the voxels of these faces, in ascending order.
+    // Entries (shared::packEntry()) of the voxels that have base faces, in ascending order. Waits for the
+    // GPU.
     std::vector<std::uint32_t> readVoxels() const;
     // Entries of the faces of blocks. Waits for the GPU.
     std::vector<std::uint32_t> readBlockFaces() const;
