@@ -16,15 +16,24 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double depthMargin = 1.01;
 
+// The shadow map's axes: unit vectors in world space, of which `right` and `up` are perpendicular to the
+// light but not to each other.
 struct LightAxes {
-    glm::dvec3 right, up, towards;  // unit vectors, world space; `towards` the light
+    glm::dvec3 right, up, towards;  // `towards` the light
 };
 
+// Edges along two axes of the world cast shadows along the map's texels, so that these shadows have no teeth.
+// The third axis is the one along which the light travels farthest: its edges cast the narrowest shadows.
 LightAxes lightAxes(const DirectionalLight& light) {
     const glm::dvec3 towards = light.directionToLight;
-    const glm::dvec3 helper = std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(helper, towards));
-    return {right, glm::cross(towards, right), towards};
+    const glm::dvec3 size = glm::abs(towards);
+    const int along = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const auto across = [&](int axis) {
+        glm::dvec3 edge(0.0);
+        edge[axis % 3] = 1.0;
+        return glm::normalize(glm::cross(towards, edge));
+    };
+    return {across(along + 1), (towards[along] < 0.0 ? -1.0 : 1.0) * across(along + 2), towards};
 }
 
 // Projects the box around `centre` along the light to [0, 1]^3.
@@ -40,12 +49,23 @@ glm::dmat4 orthographic(const LightAxes& axes, const glm::dvec3& centre, double 
     return m;
 }
 
-// The radius of the sun's cone per depth, in map coordinates, of an orthographic projection.
+// Perpendicular axes of an orthographic shadow map: unit vectors in volume space. The first and the last are
+// those of the map.
+struct ConeAxes {
+    glm::dvec3 right, up, away;
+};
+
+ConeAxes coneAxes(const glm::dmat4& shadowFromVolume) {
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(shadowFromVolume));
+    const glm::dvec3 right = glm::normalize(rows[0]), away = glm::normalize(rows[2]);
+    return {right, glm::cross(right, away), away};
+}
+
+// The radius of the sun's cone per depth, in map coordinates: along the first axis, and perpendicular to it.
 glm::dvec2 coneRadius(const glm::dmat4& shadowFromVolume, double halfAngleRad) {
-    // The columns are the map's axes in volume space; their lengths are map coordinates per volume side.
-    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
-    return std::tan(halfAngleRad) * glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) /
-           glm::length(axes[2]);
+    const ConeAxes axes = coneAxes(shadowFromVolume);
+    const glm::dmat3 map(shadowFromVolume);
+    return std::tan(halfAngleRad) * glm::dvec2((map * axes.right).x, (map * axes.up).y) / (map * axes.away).z;
 }
 
 // The tile of the shadow map around a cascade. Depths are those of the scene's whole map, so that objects
@@ -61,12 +81,13 @@ glm::dmat4 shadowTileFromWorld(const LightAxes& axes, const Bounds& boundsWorld,
         return share * side * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
     };
     const double halfWidth = halfAlong(axes.right), halfHeight = halfAlong(axes.up);
-    const auto snapped = [&](const glm::dvec3& axis, double half) {
-        const double texel = 2.0 * half / tileSize;
-        return texel * std::round(glm::dot(axis, cubeCentre - centre) / texel) * axis;
-    };
-    return orthographic(axes, centre + snapped(axes.right, halfWidth) + snapped(axes.up, halfHeight),
-                        halfWidth, halfHeight, glm::length(boundsWorld.max - boundsWorld.min) * depthMargin);
+    glm::dmat4 m = orthographic(axes, centre, halfWidth, halfHeight,
+                                glm::length(boundsWorld.max - boundsWorld.min) * depthMargin);
+    for (int i = 0; i < 2; ++i) {
+        const double toCube = (glm::dmat3(m) * (cubeCentre - centre))[i];
+        m[3][i] -= std::round(toCube * tileSize) / tileSize;
+    }
+    return m;
 }
 
 }  // namespace
@@ -119,13 +140,11 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
         settings.aoDistance * static_cast<float>(Cascades(settings.cascades, volume.grid).side(0));
     frame.shadowConeTexel = glm::vec2(1.0 / (radius * static_cast<double>(settings.shadowMapSize)));
     const double tangent = std::tan(halfAngleRad);
-    // The sun is less than a degree above a steeper surface: n.l is below 1/64.
-    frame.steepestShadowSlope = static_cast<float>(64.0 * tangent);
-    // Rows of the matrix are the map's axes; `radius` is the tangent times the ratio of their lengths.
-    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
-    const glm::dvec3 perRow(tangent * tangent / radius, 1.0);
+    const ConeAxes axes = coneAxes(shadowFromVolume);
     frame.shadowSlopeFromNormal =
-        glm::mat4(glm::dmat4(glm::transpose(glm::dmat3(axes[0] * perRow.x, axes[1] * perRow.y, axes[2]))));
+        glm::mat4(glm::dmat4(glm::transpose(glm::dmat3(tangent * axes.right, tangent * axes.up, axes.away))));
+    const glm::dmat3 map(shadowFromVolume);
+    frame.shadowShear = static_cast<float>((map * axes.right).y / (map * axes.up).y);
     frame.gridSide = volume.grid;
     frame.volumeInWorld = glm::vec4(volume.minWorld, 1.0 / volume.side);
     return frame;

@@ -28,7 +28,7 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle, int cas
     mat3 axes = frameAround(plane.normal);
     float cosTheta = dot(plane.normal, frame.directionToLight.xyz);
     SunMap map = sunMapAt(volumeFromVoxels(middle, cascade));
-    vec2 slope = shadowSlope(map, plane.normal);
+    vec2 slope = shadowSlope(map, coneSlope(plane.normal));
     float slack = sunSlack(slope, slackShare);
     vec2 points = vec2(0.0), texels = vec2(0.0);  // x: lit, y: blocked
     vec3 sum = vec3(0.0);

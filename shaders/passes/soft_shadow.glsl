@@ -3,27 +3,28 @@
 // five texels, eight more depths, and eight comparisons, or 16 in a penumbra and 48 in its dark half. A wide
 // penumbra compares with coarser levels of the map (passes/shadow_level.frag), so that a few comparisons
 // leave no gaps and the cost does not grow with the width. Behind a straight edge, the root mean square error
-// in a penumbra is below 0.06 of the sun's light (tests/engine/soft_shadow_test.cpp).
+// in a penumbra is below 0.06 of the sun's light on a plane and 0.08 on a ball
+// (tests/engine/soft_shadow_test.cpp).
 #include "shared/shadow.glsl"
 
-// The taps of the search form a Vogel disc whose radii grow by more than a uniform disc's, because blockers
-// close to the receiver are within the cone only near its axis. These are the offsets of eight taps in
-// vectors of four, with which a Mali-T880 computes.
-const vec2 turn1 = goldenTurn * vec2(1.0, 0.0), turn2 = goldenTurn * turn1, turn3 = goldenTurn * turn2;
-const vec2 turn4 = goldenTurn * turn3, turn5 = goldenTurn * turn4, turn6 = goldenTurn * turn5;
-const vec2 turn7 = goldenTurn * turn6;
-const vec4 innerRadius = vec4(0.0057, 0.0641, 0.1559, 0.271), outerRadius = vec4(0.446, 0.612, 0.795, 0.993);
-const vec4 innerX = innerRadius * vec4(1.0, turn1.x, turn2.x, turn3.x);
-const vec4 innerY = innerRadius * vec4(0.0, turn1.y, turn2.y, turn3.y);
-const vec4 outerX = outerRadius * vec4(turn4.x, turn5.x, turn6.x, turn7.x);
-const vec4 outerY = outerRadius * vec4(turn4.y, turn5.y, turn6.y, turn7.y);
+// The taps of the search, in vectors of four, with which a Mali-T880 computes. The inner ones find thin
+// blockers. Their radii grow by more than those of a uniform disc, because blockers close to the receiver are
+// within the cone only near its axis. The outer ones are the corners of a square around the cone, so that the
+// search finds each straight edge that reaches into the cone.
+const vec4 innerRadius = vec4(0.03, 0.16, 0.33, 0.58);
+const vec4 innerX = innerRadius * vec4(1.0, -0.7373, 0.0872, 0.6088);
+const vec4 innerY = innerRadius * vec4(0.0, 0.6756, -0.9962, 0.7934);
+const float outerRadius = 1.4142;
+const vec4 outerX = outerRadius * vec4(0.9848, -0.1736, -0.9848, 0.1736);
+const vec4 outerY = outerX.wxyz;
 
 // The penumbrae that blockers at four taps leave, negative where nothing is above the receiver's plane.
 // Lengths are in radii of the sun's cone at the map's near plane. `plane`: the slope, and the distance to the
 // near plane.
 vec4 penumbraeAt(vec4 x, vec4 y, vec2 receiver, vec2 cone, vec3 plane, float perDepth) {
-    vec4 ab = receiver.xyxy + cone.xyxy * vec4(x.x, y.x, x.y, y.y);
-    vec4 cd = receiver.xyxy + cone.xyxy * vec4(x.z, y.z, x.w, y.w);
+    vec4 v = y + frame.shadowShear * x;
+    vec4 ab = receiver.xyxy + cone.xyxy * vec4(x.x, v.x, x.y, v.y);
+    vec4 cd = receiver.xyxy + cone.xyxy * vec4(x.z, v.z, x.w, v.w);
     vec4 depth = vec4(textureLod(shadowDepth, ab.xy, 0.0).r, textureLod(shadowDepth, ab.zw, 0.0).r,
                       textureLod(shadowDepth, cd.xy, 0.0).r, textureLod(shadowDepth, cd.zw, 0.0).r);
     return plane.z + min(plane.x * x + plane.y * y, 0.0) - perDepth * depth;
@@ -50,19 +51,17 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     SunMap map = sunMapAt(positionVolume);
     vec3 receiver = inSunMap(map, positionVolume);
 
-    // The slope of the receiver's plane: depth per length across the light, in radii of the cone per depth.
-    vec3 across = mat3(frame.shadowSlopeFromNormal) * normal;
-    vec2 slope = clamp(-across.xy / across.z, -frame.steepestShadowSlope, frame.steepestShadowSlope);
+    vec2 slope = coneSlope(normal), slopePerTexel = shadowSlope(map, slope);
     vec2 texel = map.coneTexel;
     vec2 size = vec2(textureSize(shadowDepth, 0));
-    float rise = dot(abs(slope), texel);
+    float rise = abs(slopePerTexel.x) + abs(slopePerTexel.y);
 
     // A bias hides blockers that touch the receiver, as in a crease, and beyond the border of a surface taps
     // see the outside. The hard shadow has no bias. It decides where a blocker is so near that its penumbra
     // is narrower than a texel.
     float nearest;
     float slack = slackShare * (rise + 0.25 / size.x) + depthRounding;
-    bool isDark = isHardShadow(receiver, size, slope * texel, slack, nearest);
+    bool isDark = isHardShadow(receiver, size, slopePerTexel, slack, nearest);
     if (isDark && nearest > -texel.x) return 0.0;
 
     // Blockers may be anywhere between the receiver and the map's near plane. With cascades they are searched
@@ -106,7 +105,7 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     float lift = min(1.5 * texels * rise, max(3.3 * inCone, 0.05 * reach));
     float level = log2(texels);
     vec3 middle = vec3(receiver.xy, receiver.z - lift - roundingBias);
-    vec3 stepX = vec3(map.coneRadius.x, 0.0, slope.x) * penumbra;
+    vec3 stepX = vec3(map.coneRadius.x, map.coneRadius.y * frame.shadowShear, slope.x) * penumbra;
     vec3 stepY = vec3(0.0, map.coneRadius.y, slope.y) * penumbra;
     // A wall that is parallel to the sun hides a part of it along its crease, but the map shows of that wall
     // at most its foot. Taps see past it, or the foot is not within the cone and counts as light. So in the

@@ -219,7 +219,8 @@ struct FrameUniforms {
     vec4 lightColor;   // rgb: radiance of a white surface that faces the sun; a: that of a white sun, or 1
     vec4 skyRadiance;  // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec4 background;   // rgb: as skyRadiance, for pixels without a surface
-    vec2 shadowConeRadius;       // radius of the sun's cone per depth, in shadow-map coordinates
+    vec2 shadowConeRadius;       // radius of the sun's cone per depth, in shadow-map coordinates: along the
+                                 // first axis of the map, and perpendicular to it
     float shadowConeSine;        // sine of half the cone's angle
     float aoDistance;            // in sides of the volume; with cascades, of the finest one
     float faceSumUnits;          // fixed-point units of a fully covered face (directional/face_sums.glsl)
@@ -227,9 +228,10 @@ struct FrameUniforms {
     float farDepth;              // depth of pixels without a surface: 1, or 0 if depth is reversed
     int gridSide;                // voxels along a side of the volume or a cascade, a power of two
     float emissionRange;         // emission that the sums store as 1, relative to E/pi
-    float steepestShadowSlope;   // bound of the slopes below
+    float shadowShear;           // the map's second coordinate along its first axis, per that across it
     vec2 shadowConeTexel;        // width of the shadow map's texels, in radii of the sun's cone per depth
-    mat4 shadowSlopeFromNormal;  // xy / -z of the product: a plane's depth in the shadow map per radius
+    mat4 shadowSlopeFromNormal;  // xy / -z of the product: a plane's depth in the shadow map per radius,
+                                 // along the map's first axis and across it
     // Only with cascades (directional/cascades.glsl). xyz: corner with the smallest coordinates, volume
     // space; w: voxels per side of the volume. `lastCascade`: before the camera moved in this frame.
     vec4 cascade[VCT_MAX_CASCADES];

@@ -45,16 +45,15 @@ vec4 projectedDepths(vec4 stored, LightMap map) {
 #endif
 
 // As shadowFootprintLight() in shared/shadow.glsl, for a layer of the maps.
-float shadowFootprintLight(LightMap map, int layer, vec3 receiver, vec2 slope, float slack, float contact) {
+float shadowFootprintLight(LightMap map, int layer, vec3 receiver, vec2 slope, float slack) {
     vec2 size = vec2(textureSize(lightMaps, 0).xy);
     vec4 depths =
         projectedDepths(textureGather(lightMaps, vec3(footprintCorner(receiver.xy, size), layer)), map);
     ShadowFootprint four = shadowFootprint(depths, receiver, size, slope, slack);
-    float light = footprintLight(four, slack, contact);
-    if (light != footprintAtEdge) return light;
+    if (max(four.blockers, four.onPlane) == 4.0) return 0.25 * four.onPlane;
     vec2 next = tieBreakTexel(four, slope);
     vec4 nextDepth = projectedDepths(textureLod(lightMaps, vec3((next + 0.5) / size, layer), 0.0).rrrr, map);
-    return edgeLight(four, next, nextDepth.r, receiver, slope, slack, contact);
+    return edgeLight(four, nextDepth.r - receiver.z - dot(slope, next - four.texel), slack);
 }
 
 // Visibility of a light from a surface: 0 in shadow, 1 in light, and values between them at the edge of the
@@ -83,7 +82,7 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     const float roundedDepth = 1e-6;
     float rounding = map.depth.w * map.depth.y * perW * perW + roundedDepth;
     float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
-    float hard = max(shadowFootprintLight(map, layer, receiver, slope, slack, 2.0), 0.0);
+    float hard = shadowFootprintLight(map, layer, receiver, slope, slack);
 #ifdef VCT_SOFT_LIGHTS
     float nearest = receiver.z * projected.w / map.depth.y;
     if (punctual.light[i].cone.z == 0.0) return hard;

@@ -9,7 +9,8 @@ layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 // (jni/engine/frame_uniforms.h).
 struct SunMap {
     mat4 fromVolume;  // texture coordinates and depth
-    vec2 coneRadius;  // radius of the sun's cone per depth, in texture coordinates
+    vec2 coneRadius;  // radius of the sun's cone per depth, in texture coordinates along two perpendicular
+                      // axes
     vec2 coneTexel;   // width of the texels, in radii of the sun's cone per depth
 };
 SunMap sunMapAt(vec3 positionVolume) {
@@ -59,15 +60,16 @@ float slackShareOf(bool isCurved) {
 
 const float depthRounding = 3e-5;  // depth error: half a step of 16 bits, and a position from the G-buffer
 
-// The slope of the receiver's plane: depth per texel.
-vec2 shadowSlope(SunMap map, vec3 normal) {
-    // Normals transform by the inverse transpose: the rows of the matrix, each divided by its squared length.
-    mat3 axes = transpose(mat3(map.fromVolume));
-    vec3 plane =
-        vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
-             dot(axes[2], normal) / dot(axes[2], axes[2]));
-    const float steepest = 64.0;  // depth per map width: the sun is less than a degree above the surface
-    return clamp(-plane.xy / plane.z, -steepest, steepest) / vec2(textureSize(shadowDepth, 0));
+// The slope of the receiver's plane: depth per length across the light, in radii of the sun's cone per depth,
+// along the map's first axis and perpendicular to it.
+vec2 coneSlope(vec3 normal) {
+    vec3 plane = mat3(frame.shadowSlopeFromNormal) * normal;
+    return plane.xy / max(-plane.z, 1.0 / 64.0);  // the sun is at least a degree above the surface
+}
+
+// The same as depth per texel along the map's two coordinates, which are not perpendicular to each other.
+vec2 shadowSlope(SunMap map, vec2 coneSlope) {
+    return vec2(coneSlope.x - frame.shadowShear * coneSlope.y, coneSlope.y) * map.coneTexel;
 }
 
 // The four texels of a bilinear filter, compared with the receiver's plane. The components of a vec4 are in
@@ -77,7 +79,8 @@ struct ShadowFootprint {
     vec2 corner;     // position of the first of the four texels
     vec4 above;      // depth in the map minus depth of the plane
     vec4 blocked;    // 1: the texel is nearer to the light than the surface
-    float blockers;  // sum of `blocked`
+    float blockers;  // number of texels that block the light
+    float onPlane;   // number of texels that show the surface itself
     float closest;   // minimum of `above`
 };
 
@@ -98,66 +101,56 @@ ShadowFootprint shadowFootprint(vec4 depths, vec3 receiver, vec2 size, vec2 slop
     vec2 f = texel - corner;
     vec4 above = depths - (receiver.z - dot(slope, f)) - vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
     vec4 blocked = vec4(lessThan(above, vec4(-slack)));
-    return ShadowFootprint(texel, corner, above, blocked, dot(blocked, vec4(1.0)),
+    vec4 onPlane = vec4(lessThan(abs(above), vec4(slack)));
+    return ShadowFootprint(texel, corner, above, blocked, dot(blocked, vec4(1.0)), dot(onPlane, vec4(1.0)),
                            min(min(above.x, above.y), min(above.z, above.w)));
-}
-
-// The light of the receiver if all four texels agree, else footprintAtEdge: the receiver is at an edge of the
-// shadow or of the surface.
-const float footprintAtEdge = 2.0;
-float footprintLight(ShadowFootprint four, float slack, float contact) {
-    if (all(lessThan(abs(four.above), vec4(slack)))) return 1.0;
-    if (four.blockers == 4.0) return four.closest > -contact ? -1.0 : 0.0;
-    return footprintAtEdge;
 }
 
 // In a crease the edge of the shadow is also an edge of the surface. Such an edge is recognized by one more
 // texel, on the other side of the edge. This returns its position.
 vec2 tieBreakTexel(ShadowFootprint four, vec2 slope) {
-    vec4 blocked = four.blocked;
-    vec2 aside = sign(four.blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope);
-    return mix(floor(four.texel + 0.5), four.corner + 0.5 + 1.5 * aside, abs(aside));
+    vec2 difference = four.blocked.wx - four.blocked.yz;
+    vec2 aside =
+        four.blockers > 0.0 ? vec2(difference.x + difference.y, difference.x - difference.y) : slope * 1e12;
+    return four.corner + floor(1.0 + 1.5 * clamp(aside, -1.0, 1.0));
 }
 
-float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver, vec2 slope, float slack,
-                float contact) {
-    float nextAbove = nextDepth - receiver.z - dot(slope, next - four.texel);
-    bool crease = four.blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
-    if (crease && min(four.closest, nextAbove) > -contact) return -1.0;
-    return 1.0 - filterFootprint(four.blocked, four.texel - four.corner);
+// True if blockers are in a crease. `nextAbove`: depth at tieBreakTexel(), relative to the receiver's plane.
+// Three texels that show the surface itself are around the corner of a shadow.
+bool isCrease(ShadowFootprint four, float nextAbove, float slack) {
+    return four.blockers > 0.0 && four.onPlane < 3.0 && nextAbove > slack;
 }
 
-// The light of a receiver (texture coordinates and depth in a map). `slope`: depth of its plane per texel.
-// `slack`: tolerance in depth for texels of the surface itself. Returns -1 if no part of the sun can be
-// visible: the receiver is in a crease, or all texels block the light within the depth `contact`.
-float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float slack, float contact) {
+// The light of a receiver at an edge of the shadow or of the surface. All of the four texels may lie beyond
+// the crease.
+float edgeLight(ShadowFootprint four, float nextAbove, float slack) {
+    bool isDark = four.blockers > 0.0 ? isCrease(four, nextAbove, slack) : nextAbove < -slack;
+    return isDark ? 0.0 : 1.0 - filterFootprint(four.blocked, four.texel - four.corner);
+}
+
+// The light of a receiver (texture coordinates and depth in a map): 0 in shadow and in creases. `slope`:
+// depth of its plane per texel. `slack`: tolerance in depth for texels of the surface itself.
+float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
     vec2 size = vec2(textureSize(map, 0));
     ShadowFootprint four =
         shadowFootprint(textureGather(map, footprintCorner(receiver.xy, size)), receiver, size, slope, slack);
-    float light = footprintLight(four, slack, contact);
-    if (light != footprintAtEdge) return light;
+    if (max(four.blockers, four.onPlane) == 4.0) return 0.25 * four.onPlane;
     vec2 next = tieBreakTexel(four, slope);
-    return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack,
-                     contact);
+    float nextAbove =
+        textureLod(map, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - four.texel);
+    return edgeLight(four, nextAbove, slack);
 }
 
-// True if no part of the sun can be visible: shadowFootprintLight() <= 0, but with fewer branches, for the
-// sun's map. `nearest`: the smallest depth of the five texels, relative to the receiver's plane.
+// True if all of the four texels block the light, or if they are in a crease. `nearest`: the smallest depth
+// of the five texels, relative to the receiver's plane.
 bool isHardShadow(vec3 receiver, vec2 size, vec2 slope, float slack, out float nearest) {
     ShadowFootprint four = shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, size)),
                                            receiver, size, slope, slack);
-    vec2 farther = max(four.above.xy, four.above.zw);
-    float farthest = max(farther.x, farther.y);
-    bool hasBlockers = four.closest < -slack;
-    // The position is that of tieBreakTexel().
-    vec2 difference = four.blocked.wx - four.blocked.yz;
-    vec2 aside = hasBlockers ? vec2(difference.x + difference.y, difference.x - difference.y) : slope * 1e12;
-    vec2 next = four.corner + floor(1.0 + 1.5 * clamp(aside, -1.0, 1.0));
+    vec2 next = tieBreakTexel(four, slope);
     float nextAbove =
         textureLod(shadowDepth, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - four.texel);
     nearest = min(four.closest, nextAbove);
-    bool isCrease = hasBlockers ? nextAbove > slack : farthest >= slack && nextAbove < -slack;
-    return farthest < -slack || isCrease;
+    return four.blockers == 4.0 || isCrease(four, nextAbove, slack);
 }
 
 // The number of texels around a receiver that show its own surface, and the number of texels that block the
@@ -166,7 +159,7 @@ vec2 shadowTexels(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
     vec2 size = vec2(textureSize(map, 0));
     ShadowFootprint four =
         shadowFootprint(textureGather(map, footprintCorner(receiver.xy, size)), receiver, size, slope, slack);
-    return vec2(dot(vec4(lessThan(abs(four.above), vec4(slack))), vec4(1.0)), four.blockers);
+    return vec2(four.onPlane, four.blockers);
 }
 
 // The tolerance in depth for texels of the receiver's own surface. `slackShare`: flatSlack to curvedSlack.
@@ -182,6 +175,6 @@ float shadowMapLightOn(vec3 positionVolume, vec3 normal, float slackShare) {
     SunMap map = sunMapAt(positionVolume);
     vec3 shadow = inSunMap(map, positionVolume);
     if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
-    vec2 slope = shadowSlope(map, normal);
-    return max(shadowFootprintLight(shadowDepth, shadow, slope, sunSlack(slope, slackShare), 2.0), 0.0);
+    vec2 slope = shadowSlope(map, coneSlope(normal));
+    return shadowFootprintLight(shadowDepth, shadow, slope, sunSlack(slope, slackShare));
 }

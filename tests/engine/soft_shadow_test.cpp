@@ -180,7 +180,7 @@ TEST_P(Penumbrae, AreSmoothRampsAlongAStraightEdge) {
     const SunDisc& disc = GetParam();
     const Context context = openContext(Backend::egl);
     for (const double height : disc.heights)
-        for (const double angleDeg : {0.0, 8.0, 45.0})
+        for (const double angleDeg : {0.0, 8.0, 45.0, 75.0})
             for (const int width : {1280, 1920}) {
                 const Ramp ramp = rampOf(context, {height, angleDeg}, disc, width);
                 char what[100];
@@ -188,11 +188,15 @@ TEST_P(Penumbrae, AreSmoothRampsAlongAStraightEdge) {
                               width);
                 EXPECT_LE(ramp.step, 2.1 * disc.roughness) << what;
                 EXPECT_LE(ramp.backward, 0.012 * disc.roughness) << what;
+                // Shadows of edges along an axis of the world run along the texels of the map.
+                if (angleDeg == 0.0) {
+                    EXPECT_LE(ramp.teeth, 0.01) << what;
+                }
                 // A narrower penumbra is as wide as the map's filter.
                 if (ramp.texels > 8.0) {
                     EXPECT_LE(ramp.teeth, 0.04) << what;
                     EXPECT_LE(ramp.rms, 0.06) << what;
-                    EXPECT_NEAR(ramp.shift, 0.0, 0.05) << what;
+                    EXPECT_NEAR(ramp.shift, 0.0, 0.06) << what;
                 }
             }
 }
@@ -208,11 +212,11 @@ TEST(SoftShadow, PenumbraeAreSmoothRampsAcrossABall) {
                     char what[100];
                     std::snprintf(what, sizeof what, "%s, sun of %.1f, %.1f high, %2.0f degrees", preset,
                                   diameterDeg, height, angleDeg);
-                    EXPECT_LE(ramp.step, 2.0) << what;
+                    EXPECT_LE(ramp.step, 2.2) << what;
                     // Narrow penumbrae show the texels of the map.
                     EXPECT_LE(ramp.backward, ramp.texels > 4.0 ? 0.02 : 0.03) << what;
                     if (ramp.texels > 8.0) {
-                        EXPECT_LE(ramp.rms, 0.06) << what;
+                        EXPECT_LE(ramp.rms, 0.08) << what;
                     }
                 }
 }
@@ -294,7 +298,41 @@ TEST(SoftShadow, CascadesShowWhatOneFineMapShows) {
         most = std::max(most, error);
     }
     EXPECT_LE(std::sqrt(squares), 0.03);
-    EXPECT_LE(most, 0.25);
+    EXPECT_LE(most, 0.4);
+}
+
+// The sides of a niche are a few texels wide, so the shadow's edge and the side's border are near each other.
+TEST(SoftShadow, BordersNearAShadowAreNoCreases) {
+    Scene scene = emptyScene();
+    const double depth = 0.02;
+    addQuad(scene, {-1, -1, 0}, {1, 0, 0}, {0, 3, 0});
+    addQuad(scene, {1, -1, 0}, {1, 0, 0}, {0, 3, 0});
+    addQuad(scene, {0, 1, 0}, {1, 0, 0}, {0, 1, 0});
+    addQuad(scene, {0, -1, 0}, {1, 0, 0}, {0, 1, 0});
+    addQuad(scene, {0, 0, -depth}, {1, 0, 0}, {0, 1, 0});
+    addQuad(scene, {0, 1, -depth}, {1, 0, 0}, {0, 0, depth});
+    addQuad(scene, {0, 0, -depth}, {0, 0, depth}, {1, 0, 0});
+    addQuad(scene, {0, 0, -depth}, {0, 1, 0}, {0, 0, depth});  // the side that the sun reaches
+    scene = finished(std::move(scene));
+    const Context context = openContext(Backend::egl);
+    for (const glm::dvec3& sun : {glm::dvec3(0.5, 0.7, 0.6), glm::dvec3(0.5, 0.4, 0.8)}) {
+        Settings settings = softMap(0.5F, 256);
+        const glm::dvec3 towards = glm::normalize(sun);
+        FrameInspector frame(context, scene, lightFrom(towards), settings,
+                             lookAt({0.9, 0.5, 0.9}, {0, 0.5, -0.5 * depth}, 45));
+        const std::vector<float> light = frame.softShadow();
+        int seen = 0, dark = 0;
+        for (std::size_t i = 0; i < light.size(); ++i) {
+            const glm::dvec3 p = frame.pixels()[i].positionWorld;
+            if (!frame.pixels()[i].surface || frame.pixels()[i].normal.x < 0.9) continue;
+            const double height = p.y - p.z / towards.z * towards.y;  // where the ray to the sun leaves
+            if (height > 0.98) continue;
+            ++seen;
+            dark += light[i] < 0.5F;
+        }
+        EXPECT_GT(seen, 500);
+        EXPECT_LE(dark, seen / 100) << sun.y;
+    }
 }
 
 TEST(SoftShadow, NothingShadesItself) {
