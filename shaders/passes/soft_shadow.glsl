@@ -11,7 +11,7 @@
 // blockers. Their radii grow by more than those of a uniform disc, because blockers close to the receiver are
 // within the cone only near its axis. The outer ones are the corners of a square around the cone, so that the
 // search finds each straight edge that reaches into the cone.
-const vec4 innerRadius = vec4(0.03, 0.16, 0.33, 0.58);
+const vec4 innerRadius = vec4(0.0057, 0.1, 0.28, 0.58);
 const vec4 innerX = innerRadius * vec4(1.0, -0.7373, 0.0872, 0.6088);
 const vec4 innerY = innerRadius * vec4(0.0, 0.6756, -0.9962, 0.7934);
 const float outerRadius = 1.4142;
