@@ -92,13 +92,6 @@ TEST(Cascades, MoveOneAtATimeAndAllAfterAJump) {
     EXPECT_EQ(movedBy(glm::dvec3(0.1)), 3);
 }
 
-TEST(Cascades, OneIsTheVolumeWhereverTheEyeIs) {
-    Cascades cascades(1, 64);
-    EXPECT_FALSE(cascades.follow(glm::dvec3(0.9)));
-    EXPECT_EQ(cascades.side(0), 1.0);
-    EXPECT_EQ(cascades.corner(0), glm::dvec3(0.0));
-}
-
 Settings withCascades(int pixels, int cascades) {
     Settings settings = mobileAt(pixels);
     settings.cascades = cascades;
@@ -389,36 +382,6 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
         EXPECT_TRUE(wallWords(walking) == expected) << "frame " << frame;
     }
     EXPECT_GE(compared, 3);
-}
-
-// A move places the bricks of the cascade that moves, and no others.
-TEST(CascadesOnAWalk, KeepTheBricksOfCascadesThatStay) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = hall();
-    Renderer walking = makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
-    walking.render({{Output::irradiance}, Walk::at(4.0)});
-    Cascades places(3, walking.volume().grid);
-    places.follow(eyeInVolume(Walk::at(4.0), walking.volume()));
-    int moves = 0;
-    for (int frame = 1; frame < 8; ++frame) {
-        const Cascades before = places;
-        const Camera camera = Walk::at(4.0 + 0.4 * frame);
-        const auto readBricks = [&] {
-            return readVoxels(*walking.directional()->irradiance()->brickPlaces(), 0);
-        };
-        const std::vector<std::uint32_t> last = readBricks();
-        moves += places.follow(eyeInVolume(camera, walking.volume())) ? 1 : 0;
-        walking.render({{Output::irradiance}, camera});
-        const std::vector<std::uint32_t> now = readBricks();
-        const auto words = static_cast<std::ptrdiff_t>(now.size() / 3);
-        for (int i = 0; i < 3; ++i) {
-            if (places.corner(i) != before.corner(i)) continue;
-            EXPECT_TRUE(
-                std::equal(now.begin() + i * words, now.begin() + (i + 1) * words, last.begin() + i * words))
-                << "cascade " << i << ", frame " << frame;
-        }
-    }
-    EXPECT_GT(moves, 2);
 }
 
 // A comb of plates, which fills more faces than the lists have room for when the finest cascade reaches it.

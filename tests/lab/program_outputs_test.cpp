@@ -60,8 +60,8 @@ class ProgramInterface {
     PFNGLGETPROGRAMRESOURCEIVPROC resource_;
 };
 
-// The programs of everyProgram() whose defines are not a part of another's with the same shaders: a define adds
-// outputs and removes none.
+// The programs of everyProgram() whose defines are not a part of another's with the same shaders: a define
+// adds outputs and removes none.
 std::vector<gl::ProgramDescription> largestPrograms() {
     std::vector<gl::ProgramDescription> programs = everyProgram();
     std::map<std::vector<std::string>, std::vector<std::set<std::string>>> defines;
