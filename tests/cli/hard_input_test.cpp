@@ -83,22 +83,6 @@ TEST(HardInput, APictureTooLargeForMemoryIsOneErrorAtOnce) {
     EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
 }
 
-// The text has 4 MB, and takes 400 MB while it is read.
-TEST(HardInput, JsonThatNeedsTooMuchMemoryIsNotParsed) {
-#if defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
-#endif
-    ProgramRun program;
-    std::string text = R"({"asset":{"version":"2.0"},"extras":[0)";
-    for (int i = 0; i < 2000000; ++i)
-        text += ",1";
-    writeBytes(program.folder.file("numbers.gltf"), text + "]}");
-    EXPECT_EQ(program.run("info numbers.gltf", "ulimit -v 900000;"), 1);
-    EXPECT_EQ(lineCount(program.err), 1) << program.err;
-    expectMentions(program.err,
-                   {"numbers.gltf", "reading its JSON asks for 401 MB", "raise the limit of `ulimit -v`"});
-}
-
 TEST(HardInput, AFolderInThePlaceOfAPictureIsFoundBeforeRendering) {
     struct Case {
         const char *folder, *options;
@@ -141,33 +125,6 @@ TEST(HardInput, NoCameraIsBlamedThatNobodyGave) {
     near.node({{"camera", 0}, {"translation", {0, 0, 2}}});
     writeBytes(program.folder.file("near.glb"), near.glb());
     program.expectSuccess("info near.glb --print-camera");
-}
-
-// Mesa's compiler ends the process if it gets no memory.
-TEST(HardInput, UnderALimitOfAddressSpaceNoDriverIsTried) {
-#if defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
-#endif
-    ProgramRun program;
-    for (const char* limit : {"560000", "602000", "640000", "900000"}) {
-        EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), std::string("ulimit -v ") + limit + ";"),
-                  1);
-        expectMentions(program.err, {"error: not enough memory for an OpenGL driver", "MB of address space",
-                                     "MB are left; raise the limit of `ulimit -v`"});
-    }
-}
-
-// No thread gets a stack of 4 GB.
-TEST(HardInput, WithoutThreadsAProgramSaysSoOrDoesWithoutThem) {
-#if defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
-#endif
-    ProgramRun program;
-    const std::string limits = "ulimit -s 4000000 && ulimit -v 3000000;";
-    EXPECT_EQ(program.run(std::string("info --print-camera ") + ProgramRun::cornell, limits), 0)
-        << program.err;
-    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), limits), 1);
-    expectMentions(program.err, {"error: the system starts no thread for an OpenGL driver", "`ulimit -u`"});
 }
 
 TEST(HardInput, ADriverThatIsTooOldIsNamed) {
