@@ -16,8 +16,8 @@
 
 namespace {
 
-constexpr int frames = 100;
-constexpr std::size_t shown = 40;
+constexpr int frames = 60;
+constexpr std::size_t shown = 24;
 
 // The place of the object of a frame, on a ring, a little farther than the one before.
 Matrix4 placeOf(int frame) {

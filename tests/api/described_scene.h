@@ -21,6 +21,14 @@ namespace vct::test {
 // Size of the pictures.
 constexpr int width = 96, height = 72;
 
+// A camera as the library takes it.
+inline View viewOf(const Camera& camera, const Bounds& boundsWorld) {
+    const glm::dmat4 projection =
+        clipFromWorld(camera, boundsWorld, double{width} / height) * camera.worldFromCamera;
+    return {Matrix::of(glm::value_ptr(glm::inverse(camera.worldFromCamera))),
+            Matrix::of(glm::value_ptr(projection))};
+}
+
 // A floor, a box on it, an emitter and a glossy wall.
 struct Described {
     std::vector<float> positions, normals;
@@ -74,12 +82,7 @@ struct Described {
              {"matrix", scene.instances.back().worldFromObject.columns}});
     }
 
-    View view() const {
-        const glm::dmat4 projection =
-            clipFromWorld(camera, loaded.boundsWorld, double{width} / height) * camera.worldFromCamera;
-        return {Matrix::of(glm::value_ptr(glm::inverse(camera.worldFromCamera))),
-                Matrix::of(glm::value_ptr(projection))};
-    }
+    View view() const { return viewOf(camera, loaded.boundsWorld); }
 };
 
 inline Options optionsOf(const std::string& preset) {

@@ -59,12 +59,7 @@ struct DescribedScene {
     }
 
     View view() const { return view(loaded.cameras.front()); }
-    View view(const Camera& camera) const {
-        const glm::dmat4 projection =
-            clipFromWorld(camera, loaded.boundsWorld, double{width} / height) * camera.worldFromCamera;
-        return {Matrix::of(glm::value_ptr(glm::inverse(camera.worldFromCamera))),
-                Matrix::of(glm::value_ptr(projection))};
-    }
+    View view(const Camera& camera) const { return viewOf(camera, loaded.boundsWorld); }
 };
 
 // Names that a program may have, too.

@@ -37,7 +37,6 @@ json readJson(const TemporaryFolder& files, const std::string& name) {
 
 TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
     Measuring android("bench scene=cornell.glb preset=thesis grid=64 size=32x32 shadow-map=64 repeat=1");
-    android.testsDriver = true;
     const TemporaryFolder& files = android.folder;
     android.runUntil("measured: ");
     EXPECT_EQ(android.errors(), "");

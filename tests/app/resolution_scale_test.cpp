@@ -148,10 +148,10 @@ namespace {
 // A small window leaves time for all of its pixels on any machine.
 TEST(ResolutionInTheApp, RisesToTheWindowAndKeepsWhatTheSceneHas) {
     StandIn android;
-    android.intentExtra = "show display=off steps=off grid=64 mode=ao preset=mobile";
-    android.startUntilSceneShown(96, 64);
+    android.intentExtra = "show display=off steps=off grid=64 mode=ao preset=thesis";
+    android.startUntilSceneShown(48, 32);
     android.then([&] { android.traceSections.clear(); });
-    android.framesUntilLogged("pixels as the time allows: 96x64 of 96x64", 2000);
+    android.framesUntilLogged("pixels as the time allows: 48x32 of 48x32", 2000);
     android.frames(2);
     android.run();
     const auto& sections = android.traceSections;

@@ -87,9 +87,6 @@ TEST(Bench, UsesTheGridThatIsAskedFor) {
     // The preset's own grid is 256.
     program.expectSuccess(benchOf(ProgramRun::cornell, "--preset thesis --grid 64 --repeat 1 --json b.json"));
     EXPECT_EQ(program.json("b.json").at("presets").at(0).at("settings").at("grid"), 64);
-    program.expectSuccess(
-        benchOf(ProgramRun::cornell, "--preset mobile --grid auto --repeat 1 --json b.json"));
-    EXPECT_EQ(program.json("b.json").at("presets").at(0).at("settings").at("grid"), 64);
 }
 
 TEST(Bench, MeasuresUnderTheSameSkyAsRender) {

@@ -8,7 +8,7 @@ folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cmake --install "$1" --prefix "$folder/installed" >"$folder/log"
 for example in embed engine; do
-    cmake -S "examples/$example" -B "$folder/$example" -DCMAKE_PREFIX_PATH="$folder/installed" >"$folder/log"
+    cmake -S "examples/$example" -B "$folder/$example" -DCMAKE_PREFIX_PATH="$folder/installed" -DCMAKE_BUILD_TYPE=None >"$folder/log"
     cmake --build "$folder/$example" >"$folder/log" 2>&1 || {
         cat "$folder/log"
         exit 1

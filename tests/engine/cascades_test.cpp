@@ -92,13 +92,6 @@ TEST(Cascades, MoveOneAtATimeAndAllAfterAJump) {
     EXPECT_EQ(movedBy(glm::dvec3(0.1)), 3);
 }
 
-TEST(Cascades, OneIsTheVolumeWhereverTheEyeIs) {
-    Cascades cascades(1, 64);
-    EXPECT_FALSE(cascades.follow(glm::dvec3(0.9)));
-    EXPECT_EQ(cascades.side(0), 1.0);
-    EXPECT_EQ(cascades.corner(0), glm::dvec3(0.0));
-}
-
 Settings withCascades(int pixels, int cascades) {
     Settings settings = mobileAt(pixels);
     settings.cascades = cascades;
@@ -282,7 +275,7 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
     Cascades places(settings.cascades, settings.grid);
     const auto cornersOf = [](const Cascades& of) { return std::pair(of.corner(0), of.corner(1)); };
     int compared = 0, onlyFinest = 0;
-    for (int frame = 0; frame < 14; ++frame) {
+    for (int frame = 0; frame < 10; ++frame) {
         const double seconds = frame < 4 ? 0.0 : 0.1 * frame, along = 0.3 + 0.022 * frame;
         const glm::dvec3 eye =
             walking.volume().minWorld + walking.volume().side * glm::dvec3(along, 0.3, 0.4);
@@ -298,7 +291,7 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
         }
         Cascades placedHere(settings.cascades, settings.grid);
         placedHere.follow(eyeInVolume(camera, walking.volume()));
-        if (frame == 0 || !(placedHere == places)) continue;
+        if (frame % 2 == 0 || !(placedHere == places)) continue;
         ++compared;
         const Scene frozen = frozenAt(scene, seconds);
         Renderer fresh = makeOf(frozen);
@@ -313,7 +306,7 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
         moved.sums.clear();
         expectSameGrid(moved, placed, "frame " + std::to_string(frame));
     }
-    EXPECT_GE(compared, 4);
+    EXPECT_GE(compared, 2);
     EXPECT_GE(onlyFinest, 2);
 }
 
@@ -334,10 +327,10 @@ TEST(CascadesOnAWalk, SetUniformsOnlyOfProgramsThatHaveThem) {
         ++missing[location];
     });
     Renderer walking = makeRenderer(context, scene, chooseLight(scene), settings);
-    for (int frame = 0; frame < 14; ++frame) {
+    for (int frame = 0; frame < 7; ++frame) {
         const glm::dvec3 eye =
-            walking.volume().minWorld + walking.volume().side * glm::dvec3(0.3 + 0.022 * frame, 0.3, 0.4);
-        walking.setPose(poseAt(scene.animation, frame < 4 ? 0.0 : 0.1 * frame));
+            walking.volume().minWorld + walking.volume().side * glm::dvec3(0.3 + 0.044 * frame, 0.3, 0.4);
+        walking.setPose(poseAt(scene.animation, frame < 2 ? 0.0 : 0.1 * frame));
         walking.render({{Output::gi}, lookAt(eye, eye + glm::dvec3(0, -0.2, 1), 75)});
     }
     for (const auto& [location, count] : missing)
@@ -358,7 +351,7 @@ std::vector<std::uint32_t> wallWords(const Renderer& renderer) {
 TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
     const Context context = openContext(Backend::egl);
     Scene scene = hall();
-    for (const double x : {4.3, 9.1, 14.6, 19.2}) {
+    for (const double x : {4.3, 6.7, 9.1}) {
         addQuad(scene, {x - 0.02, 0, 0}, {0, 0, 8}, {0, 6, 0});
         addQuad(scene, {x + 0.02, 0, 0}, {0, 6, 0}, {0, 0, 8});
     }
@@ -369,7 +362,7 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
     Renderer walking = makeHere();
     Cascades places(3, walking.volume().grid);
     int compared = 0;
-    for (int frame = 0; frame <= 32; ++frame) {
+    for (int frame = 1; frame <= 12 && compared < 3; ++frame) {
         const Camera camera = Walk::at(2.0 + 0.5 * frame);
         const glm::dvec3 eye = eyeInVolume(camera, walking.volume());
         for (int i = 0; i < 3; ++i)
@@ -380,7 +373,7 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
         }
         Cascades placedHere(3, walking.volume().grid);
         placedHere.follow(eye);
-        if (frame % 4 != 0 || !(placedHere == places)) continue;
+        if (frame % 2 != 0 || !(placedHere == places)) continue;
         ++compared;
         Renderer fresh = makeHere();
         fresh.render({{Output::irradiance}, camera});
@@ -388,37 +381,7 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
         EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](auto word) { return word != 0; }), 50);
         EXPECT_TRUE(wallWords(walking) == expected) << "frame " << frame;
     }
-    EXPECT_GE(compared, 4);
-}
-
-// A move places the bricks of the cascade that moves, and no others.
-TEST(CascadesOnAWalk, KeepTheBricksOfCascadesThatStay) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = hall();
-    Renderer walking = makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
-    walking.render({{Output::irradiance}, Walk::at(4.0)});
-    Cascades places(3, walking.volume().grid);
-    places.follow(eyeInVolume(Walk::at(4.0), walking.volume()));
-    int moves = 0;
-    for (int frame = 1; frame < 8; ++frame) {
-        const Cascades before = places;
-        const Camera camera = Walk::at(4.0 + 0.4 * frame);
-        const auto readBricks = [&] {
-            return readVoxels(*walking.directional()->irradiance()->brickPlaces(), 0);
-        };
-        const std::vector<std::uint32_t> last = readBricks();
-        moves += places.follow(eyeInVolume(camera, walking.volume())) ? 1 : 0;
-        walking.render({{Output::irradiance}, camera});
-        const std::vector<std::uint32_t> now = readBricks();
-        const auto words = static_cast<std::ptrdiff_t>(now.size() / 3);
-        for (int i = 0; i < 3; ++i) {
-            if (places.corner(i) != before.corner(i)) continue;
-            EXPECT_TRUE(
-                std::equal(now.begin() + i * words, now.begin() + (i + 1) * words, last.begin() + i * words))
-                << "cascade " << i << ", frame " << frame;
-        }
-    }
-    EXPECT_GT(moves, 2);
+    EXPECT_GE(compared, 3);
 }
 
 // A comb of plates, which fills more faces than the lists have room for when the finest cascade reaches it.
@@ -435,7 +398,7 @@ TEST(CascadesOnAWalk, KeepTheirLightWhenTheListsGrow) {
     walking.render({{Output::irradiance}, Walk::at(2.0), LightSteps::all});
     Cascades places(3, walking.volume().grid);
     int grown = 0;
-    for (int frame = 0; frame <= 40; ++frame) {
+    for (int frame = 0; frame <= 40 && grown == 0; ++frame) {
         const Camera camera = Walk::at(2.0 + 0.4 * (frame / 2));
         const bool isMoved = places.follow(eyeInVolume(camera, walking.volume()));
         const IrradianceByFace before = readIrradiance(walking);
@@ -497,7 +460,7 @@ TEST(CascadesOnAWalk, UseTheirIdsAgain) {
     Renderer walking = makeRenderer(context, scene, noLight(), withFewRays(mobileAt(32), 3));
     const auto capacity = [&] { return walking.directional()->voxels().capacities()[0]; };
     std::uint32_t afterFirst = 0;
-    for (int lap = 0; lap < 3; ++lap) {
+    for (int lap = 0; lap < 2; ++lap) {
         for (int step = 0; step < 16; ++step) {
             const double x = 3.0 + 1.6 * std::min(step, 16 - step);
             walking.render({{Output::ao}, Walk::at(x)});
@@ -527,13 +490,13 @@ TEST(CascadesOnAWalk, ConvergeToTheSameLightWhereverTheyAre) {
     EXPECT_NEAR(difference / count, 0.0, 0.002);
 }
 
-// Flies 16 m with a step of the finest cascade in each frame, and jumps back.
+// Flies 8 m with a step of the finest cascade in each frame, and jumps back.
 TEST(CascadesOnAFlight, KeepTheLightInBoundsAndConvergeAfterAJump) {
     const Context context = openContext(Backend::egl);
     Walk walk(context);
     const std::vector<glm::dvec3> points = pointsOfTheHall();
     walk.see(2.0, LightSteps::all, points);
-    for (double x = 2.8; x < 18.0; x += 0.8)
+    for (double x = 2.8; x < 10.0; x += 0.8)
         for (const double ratio : walk.see(x, LightSteps::one, points))
             ASSERT_TRUE(ratio == -1.0 || (ratio > 0.4 && ratio < 2.0)) << ratio << " at " << x;
     EXPECT_LE(differenceFromFresh(context, walk, 3.0), 0.005);

@@ -121,8 +121,8 @@ bool plateHides(const glm::dvec3& from, const glm::dvec3& to) {
 
 TEST(Emitters, LightAFloorByTheirFormFactor) {
     const Context context = openContext(Backend::egl);
-    // The last emitters fill much of the hemisphere, and the very last one is only three voxels away.
-    for (const auto& [side, height] : {std::pair{0.1, 0.98}, {0.5, 0.98}, {0.5, -0.5}, {0.5, -0.9}}) {
+    // The second emitter fills much of the hemisphere, and is only three voxels away.
+    for (const auto& [side, height] : {std::pair{0.1, 0.98}, {0.5, -0.9}}) {
         SCOPED_TRACE(testing::Message() << side << " wide at " << height);
         const Settings settings = mobileAt(64);
         FrameInspector inspector(context, roomWithEmitter(side, height), noLight(), settings,

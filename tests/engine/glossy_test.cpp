@@ -9,7 +9,6 @@
 #include "engine/renderer.h"
 #include "scene/camera.h"
 #include "support/frame_inspector.h"
-#include "support/gl_spy.h"
 #include "support/pictures.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -166,9 +165,8 @@ TEST(Glossy, TheSunIsReflectedAsGltfSays) {
 
 TEST(Glossy, UnderAnEvenSkyASurfaceHasItsBrdfsAlbedo) {
     const Context context = openContext(Backend::egl);
-    for (const Material& material :
-         {metal(0.2F), metal(0.5F), metal(0.8F), metal(1.0F), varnish(0.2F), varnish(0.5F), varnish(0.8F)})
-        for (const double cosEye : {0.25, 0.5, 0.95}) {
+    for (const Material& material : {metal(0.2F), metal(0.5F), metal(1.0F), varnish(0.2F), varnish(0.8F)})
+        for (const double cosEye : {0.25, 0.95}) {
             SCOPED_TRACE(testing::Message() << "metallic " << material.metallic << ", roughness "
                                             << material.roughness << ", cosine " << cosEye);
             Scene scene = lonePlane(0.0);
@@ -190,10 +188,10 @@ TEST(Glossy, RoughnessNearOneMakesNoJump) {
     const Context context = openContext(Backend::egl);
     for (const Material& material : {metal(1.0F), varnish(1.0F)}) {
         glm::dvec3 before(0.0);
-        for (int step = 0; step <= 10; ++step) {
+        for (int step = 0; step <= 4; ++step) {
             Scene scene = lonePlane(0.0);
             scene.materials[0] = material;
-            scene.materials[0].roughness = 0.95F + 0.005F * static_cast<float>(step);
+            scene.materials[0].roughness = 0.98F + 0.005F * static_cast<float>(step);
             Settings settings = glossyAt({16, 16});
             settings.skyRadiance = glm::vec3(0.3F);
             FrameInspector frame(context, scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, -1.4))),
@@ -299,30 +297,6 @@ TEST(Glossy, HalfTheResolutionDoesNotBleedOverEdges) {
         EXPECT_GT(dark, 500);
         EXPECT_LE(bled, 30);
     }
-}
-
-TEST(Glossy, OnlyGlossySurfacesAddDrawsAndTextures) {
-    const Context context = openContext(Backend::egl);
-    const auto costs = [&](float roughness) {
-        Scene scene = corner();
-        scene.materials[1].roughness = roughness;
-        const Settings settings = glossyAt({32, 32});
-        Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
-                          context.capabilities, testShaders());
-        const RenderRequest request{{Output::gi}, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50), LightSteps::all};
-        renderer.render(request);
-        int draws = 0;
-        {
-            const GlSpy<&gl::DrawArrays> spy([&](GLenum, GLint, GLsizei) { ++draws; });
-            renderer.render(request);
-        }
-        return std::pair(draws, bytesOf(renderer.resources()));
-    };
-    const auto [draws, bytes] = costs(0.5F);
-    const auto [fewerDraws, fewerBytes] = costs(1.0F);
-    EXPECT_EQ(draws, fewerDraws + 5);
-    // Gloss of the G-buffer and a mask, 2 bytes each; in half the resolution two times 8 bytes and a mask.
-    EXPECT_EQ(bytes, fewerBytes + 32 * 32 * (2 + 2) + 16 * 16 * (2 * 8 + 2));
 }
 
 TEST(Glossy, AResizedPictureIsThatOfANewRenderer) {

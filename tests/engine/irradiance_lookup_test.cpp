@@ -55,7 +55,7 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
 TEST(IrradianceLookUp, HasNoTeethAlongAThinWall) {
     const Context context = openContext(Backend::egl);
     const double voxel = 2.0 / 60.0, thickness = 0.74 * voxel;
-    for (const double angleDeg : {0.0, 20.0, 35.0}) {
+    for (const double angleDeg : {0.0, 35.0}) {
         Scene scene = closedBox(0.0);
         addBox(scene, {thickness, 2, 2});
         scene.materials.push_back(scene.materials[0]);
@@ -91,7 +91,7 @@ TEST(IrradianceLookUp, HasNoTeethAlongAThinWall) {
 TEST(IrradianceLookUp, AWallBehindASurfaceDoesNotDivideIt) {
     const Context context = openContext(Backend::egl);
     const double voxel = 2.0 / 60.0, thickness = 0.6 * voxel;
-    for (const double shift : {0.0, 0.3, 0.6}) {
+    for (const double shift : {0.0, 0.6}) {
         Scene scene = closedBox(0.0);
         const double front = (0.2 + shift) * voxel;
         addBox(scene, {2, 2, thickness}, {0, 0, front - 0.5 * thickness});
@@ -124,8 +124,8 @@ TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
     Settings settings = mobileAt(64);
     settings.skyRadiance = glm::vec3(1.0F);
     for (int axis = 0; axis < 3; ++axis)
-        for (const double at : {32.0, 12.0 + 1e-5, 44.0 - 1e-5, 33.5}) {
-            const double side = at == 32.0 || at == 44.0 - 1e-5 ? 1.0 : -1.0;
+        for (const double at : {32.0, 12.0 + 1e-5}) {
+            const double side = at == 32.0 ? 1.0 : -1.0;
             glm::dvec3 corner(8.3), u(0.0), v(0.0), normal(0.0);
             corner[axis] = at;
             normal[axis] = side;

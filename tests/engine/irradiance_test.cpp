@@ -83,38 +83,33 @@ struct Emitter {
     const char* name;
     glm::dvec3 corner, u, v;
     Deviation bound;
-    bool turns;  // also tested in a scene that is turned
+    double turnDeg;
 };
-const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.035, 0.055}, true},
-                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.018, 0.033}, false},
-                            {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.013, 0.017}, false},
-                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.01, 0.15}, true}};
+const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.035, 0.055}, 30.0},
+                            {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.013, 0.017}, 0.0},
+                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.01, 0.15}, 0.0}};
 
 TEST(Gather, AFloorReceivesTheFormFactorOfAnEmitter) {
     const Context context = openContext(Backend::egl);
-    for (const Emitter& e : emitters)
-        for (const double turnDeg : {0.0, 30.0}) {
-            if (turnDeg != 0.0 && !e.turns) continue;
-            SCOPED_TRACE(turnDeg);
-            Scene scene = emptyScene();
-            addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
-            addQuad(scene, e.corner, e.u, e.v, addEmitter(scene));
-            const glm::dmat4 turn = turnScene(scene, turnDeg);
-            scene = finished(std::move(scene));
-            Settings settings = mobileAt(pictureSide);
-            settings.gather.refinedDirections = 256;
-            settings.gather.rays = 64;
-            const glm::dvec3 eye(turn * glm::dvec4(0, 3, 0.001, 1));
-            FrameInspector frame(context, scene, noLight(), settings, lookAt(eye, {0, 0, 0}, 36));
-            const Deviation error = deviationOf(frame, [&](const glm::dvec3& positionWorld) {
-                const glm::dvec3 p(glm::inverse(turn) * glm::dvec4(positionWorld, 1.0));
-                if (std::abs(p.y) > 1e-3) return -1.0;
-                return formFactor({e.corner, e.corner + e.u, e.corner + e.u + e.v, e.corner + e.v}, p,
-                                  {0, 1, 0});
-            });
-            EXPECT_LE(std::abs(error.bias), e.bound.bias) << e.name;
-            EXPECT_LE(error.rms, e.bound.rms) << e.name;
-        }
+    for (const Emitter& e : emitters) {
+        Scene scene = emptyScene();
+        addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+        addQuad(scene, e.corner, e.u, e.v, addEmitter(scene));
+        const glm::dmat4 turn = turnScene(scene, e.turnDeg);
+        scene = finished(std::move(scene));
+        Settings settings = mobileAt(64);
+        settings.gather.refinedDirections = 256;
+        settings.gather.rays = 64;
+        const glm::dvec3 eye(turn * glm::dvec4(0, 3, 0.001, 1));
+        FrameInspector frame(context, scene, noLight(), settings, lookAt(eye, {0, 0, 0}, 36));
+        const Deviation error = deviationOf(frame, [&](const glm::dvec3& positionWorld) {
+            const glm::dvec3 p(glm::inverse(turn) * glm::dvec4(positionWorld, 1.0));
+            if (std::abs(p.y) > 1e-3) return -1.0;
+            return formFactor({e.corner, e.corner + e.u, e.corner + e.u + e.v, e.corner + e.v}, p, {0, 1, 0});
+        });
+        EXPECT_LE(std::abs(error.bias), e.bound.bias) << e.name;
+        EXPECT_LE(error.rms, e.bound.rms) << e.name;
+    }
 }
 
 // Beside a black wall, under a sky of radiance 1.
@@ -151,23 +146,20 @@ TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
     addBall(scene, radius, {0, radius, 0}, 1);
     scene = finished(std::move(scene));
     scene.boundsWorld = {glm::dvec3(-1.0), glm::dvec3(1.0)};
-    for (const int grid : {64, 128}) {
-        Settings settings = mobileAt(4 * pictureSide);
-        settings.gather.refinedDirections = 512;
-        settings.gather.rays = 64;
-        settings.grid = grid;
-        settings.skyRadiance = glm::vec3(1.0F);
-        FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0.2, 2}, {0, 0, 0}, 14));
-        const auto nearContact = [&](double from, double to) {
-            return deviationOf(frame, [&](const glm::dvec3& p) {
-                const double x = glm::length(glm::dvec2(p.x, p.z));
-                if (p.y > 1e-4 || x < from || x > to) return -1.0;
-                return 1.0 - std::pow(radius / std::hypot(x, radius), 3.0);
-            });
-        };
-        EXPECT_LE(nearContact(0.04, 0.16).rms, grid == 64 ? 0.25 : 0.075) << grid;
-        EXPECT_LE(nearContact(0.16, 0.3).rms, 0.045) << grid;
-    }
+    Settings settings = mobileAt(2 * pictureSide);
+    settings.gather.refinedDirections = 512;
+    settings.gather.rays = 64;
+    settings.skyRadiance = glm::vec3(1.0F);
+    FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0.2, 2}, {0, 0, 0}, 14));
+    const auto nearContact = [&](double from, double to) {
+        return deviationOf(frame, [&](const glm::dvec3& p) {
+            const double x = glm::length(glm::dvec2(p.x, p.z));
+            if (p.y > 1e-4 || x < from || x > to) return -1.0;
+            return 1.0 - std::pow(radius / std::hypot(x, radius), 3.0);
+        });
+    };
+    EXPECT_LE(nearContact(0.04, 0.16).rms, 0.25);
+    EXPECT_LE(nearContact(0.16, 0.3).rms, 0.045);
 }
 
 constexpr double niche = 8.0, behind = 2.03;  // the side of a wall, and its distance from a row of columns
@@ -215,10 +207,10 @@ double skyBetween(const std::vector<double>& columns, double radius) {
     return static_cast<double>(seen) / all;
 }
 
-// The columns are of 0.9, 1.8 and 3.7 voxels.
+// The columns are of 0.9 and 3.7 voxels.
 TEST(Gather, RoundColumnsHideAsMuchOfTheSkyAsTheyAreWide) {
     const Context context = openContext(Backend::egl);
-    for (const auto& [width, bound] : {std::pair{0.125, 0.08}, {0.25, 0.08}, {0.5, 0.03}}) {
+    for (const auto& [width, bound] : {std::pair{0.125, 0.08}, {0.5, 0.03}}) {
         Scene scene = emptyScene();
         scene.materials.push_back(scene.materials[0]);
         scene.materials[1].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
@@ -277,12 +269,8 @@ TEST(Gather, NoLightLeavesAClosedBox) {
         return frame.spreadOf(Output::indirectLight).mean;
     };
     const double bare = lightOfRoom(0.0, {});
-    const auto turned = [](const glm::dvec3& axis) {
-        return glm::rotate(glm::dmat4(1.0), glm::radians(30.0), axis);
-    };
     EXPECT_LE(lightOfRoom(0.005, glm::dmat4(1.0)), 0.002 * bare);
-    EXPECT_LE(lightOfRoom(0.005, turned({0, 1, 0})), 0.008 * bare);
-    EXPECT_LE(lightOfRoom(0.005, turned({1, 0, 0})), 0.008 * bare);
+    EXPECT_LE(lightOfRoom(0.005, glm::rotate(glm::dmat4(1.0), glm::radians(30.0), {1, 0, 0})), 0.008 * bare);
 }
 
 // A wall thinner than a voxel cuts a room in two, and a lamp lights one half. Along the wall the same voxels
@@ -300,7 +288,7 @@ TEST(Gather, NoLightPassesAThinWall) {
         const glm::dmat4 turn = turnScene(scene, angleDeg);
         const auto turned = [&](const glm::dvec3& p) { return glm::dvec3(turn * glm::dvec4(p, 1.0)); };
         FrameInspector frame(
-            context, finished(std::move(scene)), noLight(), mobileAt(pictureSide),
+            context, finished(std::move(scene)), noLight(), mobileAt(64),
             lookAt(turned({wallX + 0.7 * side, 0.1, 0.9}), turned({wallX, -0.1, -0.9}), 100));
         Spread light;
         for (const auto& [surface, irradiance] : frame.seen(Output::irradiance)) {
@@ -312,17 +300,14 @@ TEST(Gather, NoLightPassesAThinWall) {
     };
     const double lit = lightOfHalf(0.3, 0.5, 0.0, 1.0);
     ASSERT_GT(lit, 0.5);
-    for (const double inVoxel : {0.0, 0.2, 0.4, 0.6, 0.8})
+    for (const double inVoxel : {0.0, 0.6})
         EXPECT_LE(lightOfHalf(0.3, inVoxel, 0.0, -1.0), 0.0001 * lit) << inVoxel;
     struct Turned {
-        double angleDeg, ofThin, ofThick;  // bounds for walls of .3 and .7 voxels
+        double thickness, angleDeg, bound;
     };
-    for (const auto& [angleDeg, ofThin, ofThick] :
-         {Turned{-20, 0.0003, 0.0028}, Turned{-9, 0.0001, 0.0004}, Turned{9, 0.0001, 0.0016},
-          Turned{15, 0.0006, 0.0014}, Turned{30, 0.0014, 0.0009}, Turned{45, 0.0088, 0.0072}}) {
-        EXPECT_LE(lightOfHalf(0.3, 0.5, angleDeg, -1.0), ofThin * lit) << angleDeg;
-        EXPECT_LE(lightOfHalf(0.7, 0.5, angleDeg, -1.0), ofThick * lit) << angleDeg;
-    }
+    for (const auto& [thickness, angleDeg, bound] :
+         {Turned{0.7, -20, 0.0028}, Turned{0.3, 15, 0.0006}, Turned{0.3, 45, 0.0088}})
+        EXPECT_LE(lightOfHalf(thickness, 0.5, angleDeg, -1.0), bound * lit) << angleDeg;
 }
 
 // A house of thick walls with two rooms and a wall of 0.74 voxel between them. A lamp lights one room. The
@@ -351,8 +336,7 @@ TEST(Gather, NoLightPassesBetweenTheRoomsOfAHouse) {
         glm::dvec3 axis;
         double angleDeg, bound;
     };
-    for (const auto& [axis, angleDeg, bound] :
-         {Turned{y, 0, 0.0}, Turned{y, 20, 5e-5}, Turned{y, 40, 0.003}, Turned{x, 15, 1e-5}})
+    for (const auto& [axis, angleDeg, bound] : {Turned{y, 0, 0.0}, Turned{y, 40, 0.003}, Turned{x, 15, 1e-5}})
         for (const double corner : {-1.0, 1.0})
             EXPECT_LE(lightOf(axis, angleDeg, {0.65 * corner, 0.1 * corner, 0.4},
                               {0.9 * corner, 0.3 * corner, 0.15}),
@@ -405,7 +389,7 @@ TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
 // The inside of a closed box has the radiance 1, so the right answer is 1 everywhere.
 TEST(Gather, WhiteFurnaceIsOne) {
     const Context context = openContext(Backend::egl);
-    for (const double turnDeg : {0.0, 20.0, 30.0, 45.0}) {
+    for (const double turnDeg : {0.0, 30.0}) {
         SCOPED_TRACE(turnDeg);
         Scene scene = closedBox(turnDeg);
         scene.materials[0].emissive = glm::vec3(1.0F);
@@ -451,39 +435,6 @@ TEST(Gather, NeitherSideOfALitPlaneGetsAnything) {
                 EXPECT_GE(ambientVisibility.min, 0.999);
             }
         }
-}
-
-// A wall of a third of a voxel divides a room. One half has an emitter.
-TEST(Gather, LightStaysOnItsSideOfAThinWall) {
-    const Context context = openContext(Backend::egl);
-    for (const double turnDeg : {0.0, 30.0}) {
-        SCOPED_TRACE(turnDeg);
-        Scene scene = emptyScene();
-        const glm::dvec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2);
-        addQuad(scene, {-1, -1, -1}, z, x);
-        addQuad(scene, {-1, 1, -1}, x, z);
-        addQuad(scene, {-1, -1, -1}, y, z, addEmitter(scene));
-        addQuad(scene, {1, -1, -1}, z, y);
-        addQuad(scene, {-1, -1, -1}, x, y);
-        addQuad(scene, {-1, -1, 1}, y, x);
-        addQuad(scene, {-0.005, -1, -1}, z, y);  // facing the light
-        addQuad(scene, {0.005, -1, -1}, y, z);
-        const glm::dmat4 turn = turnScene(scene, turnDeg);
-        scene = finished(std::move(scene));
-        const Settings settings = mobileAt(pictureSide);
-        FrameInspector frame(context, scene, noLight(), settings,
-                             lookAt(glm::dvec3(turn * glm::dvec4(0, 0, 4, 1)), {0, 0, 0}, 40));
-        Spread lit, dark;
-        for (const auto& [surface, light] : frame.seen(Output::indirectLight)) {
-            const double place = (glm::inverse(turn) * glm::dvec4(surface.positionWorld, 1.0)).x;
-            if (std::abs(place) > 0.02) (place < 0.0 ? lit : dark).add(light.x);
-        }
-        ASSERT_GT(lit.mean, 0.15);
-        ASSERT_GT(dark.count, 1000);
-        // A turned wall that meets others shares faces with them.
-        EXPECT_LE(dark.mean, turnDeg == 0.0 ? 0.0001 : 0.008 * lit.mean);
-        EXPECT_LE(dark.max, turnDeg == 0.0 ? 0.0001 : 0.2);
-    }
 }
 
 // The emitter shares voxels with the ceiling, and must send as much light as without one.

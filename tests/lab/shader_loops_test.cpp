@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "gl/objects.h"
 #include "gl/program.h"
-#include "lab/shader_conditions.h"
 #include "lab/shader_counters.h"
 #include "platform/platform.h"
-#include "support/errors.h"
 
 namespace vct::test {
 namespace {
@@ -66,19 +63,6 @@ TEST(ShaderLoops, OfOtherVariantsAndOfUnusedFunctionsAreNotListed) {
     EXPECT_EQ(loopsOf(text, {"VCT_A", "VCT_N 2"}), "a.comp:6 0* ");
     EXPECT_EQ(loopsOf(text), "a.comp:8 0* ");
     EXPECT_EQ(loopsOf(text, {"VCT_A", "VCT_N 1"}), "a.comp:10 0* ");
-}
-
-TEST(ShaderLoops, OfSourceThatCannotBeReadAreOneClearError) {
-    expectMentions(errorOf([] { loopsOf("void f() {}\n"); }), {"a.comp", "main()"});
-    expectMentions(errorOf([] { loopsOf("void main() { f(; }\n"); }), {"a.comp:1", "not closed"});
-    expectMentions(errorOf([] { activeSource("#if 1 + 1\n#endif\n"); }), {"1 + 1", "comparisons"});
-    expectMentions(errorOf([] { activeSource("#if VCT_TYPO > 1\n#endif\n"); }), {"VCT_TYPO", "number"});
-    expectMentions(errorOf([] {
-                       loopsOf(
-                           "void f(int a) { while (a > 0) --a; }\nvoid f(uint a) { while (a > 0u) --a; }\n"
-                           "void main() { f(1); }\n");
-                   }),
-                   {"f()", "two versions"});
 }
 
 // A shader of known counts, on the driver.

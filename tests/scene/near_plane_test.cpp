@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ctime>
-#include <optional>
-
 #include "scene/camera.h"
 #include "support/scenes.h"
 
@@ -73,43 +70,6 @@ TEST(NearPlane, FollowsMovingObjects) {
                 usualNearPlane(done.boundsWorld), 1e-12);
     pose.worldFromNode[0][3].z = 4.99;
     EXPECT_NEAR(NearPlane(done).fitted(eyeWithNearPlane(1e-6), 1.0, &pose).nearest, 0.0099, 1e-6);
-}
-
-// A floor of many triangles, of which few are near enough to matter.
-TEST(NearPlane, OfAFrameTakesLittleOfTheTimeThatAllTrianglesTake) {
-    Scene scene = room();
-    Mesh& floor = scene.meshes.emplace_back();
-    constexpr std::uint32_t cells = 512;
-    for (std::uint32_t z = 0; z <= cells; ++z)
-        for (std::uint32_t x = 0; x <= cells; ++x)
-            floor.vertices.push_back({{18.0F * x / cells - 9.0F, -0.01F, 18.0F * z / cells - 9.0F},
-                                      {0, 1, 0},
-                                      glm::vec2(0.0F),
-                                      glm::vec2(0.0F)});
-    for (std::uint32_t z = 0; z < cells; ++z)
-        for (std::uint32_t x = 0; x < cells; ++x) {
-            const std::uint32_t a = z * (cells + 1) + x, above = a + cells + 1;
-            floor.indices.insert(floor.indices.end(), {a, above, above + 1, a, above + 1, a + 1});
-        }
-    scene.instances.push_back({static_cast<int>(scene.meshes.size()) - 1, glm::dmat4(1.0)});
-    const Scene done = finished(std::move(scene));
-    const auto secondsOf = [](const auto& work) {
-        const std::clock_t start = std::clock();
-        work();
-        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    };
-    std::optional<NearPlane> plane;
-    const double whole = secondsOf([&] { plane.emplace(done); });
-    constexpr int frames = 20;
-    double nearest = 0.0;
-    const double each = secondsOf([&] {
-                            for (int i = 0; i < frames; ++i)
-                                nearest = plane->fitted(eyeWithNearPlane(1e-6), 1.0).nearest;
-                        }) /
-                        frames;
-    EXPECT_LE(nearest, 0.01);
-    EXPECT_GE(nearest, 0.009);
-    EXPECT_LT(each, 0.5 * whole);
 }
 
 }  // namespace

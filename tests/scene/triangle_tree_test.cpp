@@ -35,19 +35,5 @@ TEST(TriangleTree, OfSurfacesThatCoincideTheLargerOneCounts) {
     }
 }
 
-TEST(TriangleTree, ARayDoesNotTestCopiesOfATriangle) {
-    Scene scene = emptyScene();
-    for (int i = 0; i < 1000; ++i)
-        addQuad(scene, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
-    const TriangleTree tree(finished(std::move(scene)));
-    int tested = 0;
-    tree.visit(eye, ahead, HUGE_VAL, [&](double, const TriangleTree::Triangle&) {
-        ++tested;
-        return HUGE_VAL;
-    });
-    EXPECT_GE(tested, 1);
-    EXPECT_LT(tested, 10);
-}
-
 }  // namespace
 }  // namespace vct::test
