@@ -1,6 +1,7 @@
 #include "engine/voxel_pyramid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -142,6 +143,15 @@ void VoxelPyramid::emptyFaceList(std::uint32_t list) const {
     gl::BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(list * sizeof commands + first),
                       static_cast<GLsizeiptr>(end - first),
                       reinterpret_cast<const std::byte*>(&commands) + first);
+}
+
+void VoxelPyramid::setStaticSums(std::uint32_t faces, bool byId) const {
+    const std::array<std::uint32_t, 3> words{faces, 0, byId ? 1U : 0U};
+    static_assert(offsetof(shared::CommandLists, sumsById) ==
+                  offsetof(shared::CommandLists, staticSums) + 2 * sizeof words[0]);
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, offsetof(shared::CommandLists, staticSums), sizeof words,
+                      words.data());
 }
 
 void VoxelPyramid::resetBlockedRays() const {

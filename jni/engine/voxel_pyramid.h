@@ -54,6 +54,8 @@ class VoxelPyramid {
     void setCommands(const shared::CommandLists& commands) const;
     void emptyFaceList(std::uint32_t list) const;
     void resetBlockedRays() const;
+    // Sets the room for the sums of static faces (shaders/directional/face_sums.glsl).
+    void setStaticSums(std::uint32_t faces, bool byId) const;
 
     // Binds one level for image access, and the lists and their commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;

@@ -59,7 +59,7 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
             add(Step::voxelize, markFacesProgram(f));
             add(Step::voxelize, accumulateProgram(f, emission));
         }
-        add(Step::voxelize, listFacesProgram());
+        add(Step::voxelize, listFacesProgram(emission));
         add(Step::voxelize, resolveProgram(emission));
         add(Step::voxelize, extentsProgram(emission));
         add(Step::voxelize, fillBlocksProgram(emission));

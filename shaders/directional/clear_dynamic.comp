@@ -1,7 +1,9 @@
 // Removes dynamic objects from the base level, before a new pose is voxelized: clears their bits in the
-// blocks, and the words and the pages of the pose before the last one, which the new pose will use.
+// blocks, and the words and the pages of the pose before the last one, which the new pose will use. Static
+// faces that they shared have the surface of the static geometry again.
 #include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
+#include "directional/shared_face.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16ui, binding = VCT_IMAGE_PAGES) writeonly uniform highp uimage3D pages;  // of the older pose
@@ -16,6 +18,10 @@ void main() {
             uint bits = blockWords(listed.voxel >> VCT_BRICK_LEVEL, listed.face, true);
             faceData[bits] = 0u;
             faceData[bits + 1u] = 0u;
+            uint id = commands[last].firstId + i;
+            SharedFace pair = sharedFace(listed, id);
+            for (uint word = 0u; word < faceWords && pair.isShared; ++word)
+                faceData[faceAt(pair.staticId) + word] = faceData[faceAt(id) + word];
         }
         if (i < olderCount) {
             imageStore(pages, listedFace(older, i).voxel >> VCT_BRICK_LEVEL, uvec4(0u));

@@ -22,7 +22,7 @@ int mainFace(vec3 normal) {
 
 // The id of another face of the voxel, and its plane.
 uint besideId(ResolvedFace own, int face) {
-    return surfaceId(own.staticCell, own.dynamicCell, face, own.isStatic);
+    return surfaceId(own.staticCell, own.dynamicCell, face, false);
 }
 SurfacePlane planeOf(ResolvedFace own, int face) {
     return facePlane(besideId(own, face));
@@ -36,8 +36,13 @@ struct Covered {
 };
 Covered coveredPart(ResolvedFace own, int face, SurfacePlane plane) {
     vec3 sum = vec3(0.0);
-    if (hasFace(own.staticCell, face)) sum = coverageAndPlace(faceId(own.staticCell, face));
-    if (hasFace(movingCell(own), face)) sum += coverageAndPlace(faceId(own.dynamicCell, face));
+    if (hasFace(own.staticCell, face)) {
+        // In a pose, what the static geometry covers is at the dynamic id, if they share the face.
+        uint id = surfaceId(own.staticCell, own.dynamicCell, face, true);
+        FaceExtent kept = faceExtent(id);
+        sum = list == dynamicList ? kept.coverage * vec3(1.0, kept.place + 0.5) : coverageAndPlace(id);
+    }
+    if (hasFace(own.dynamicCell, face)) sum += coverageAndPlace(faceId(own.dynamicCell, face));
     vec2 place = sum.yz / max(sum.x, 1e-4) - 0.5;
     return Covered(min(sum.x, 1.0), placeInside(plane, face >> 1, place));
 }
@@ -104,13 +109,11 @@ void splitByWall(ResolvedFace own, SurfacePlane plane, uint points, inout FaceEx
 }
 
 void main() {
-    uint count = visitedFaceCount();
-    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    uint count = faceCount(list), stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = visitedFaceId(i);
-        ResolvedFace own = resolvedFace(id);
+        ResolvedFace own = resolvedFace(i);
         if (!own.changes) continue;
-        uint at = faceAt(id);
+        uint id = own.id, at = faceAt(id);
         int axis = own.face >> 1;
         SurfacePlane plane = facePlane(id);
         Covered part = coveredPart(own, own.face, plane);

@@ -1,10 +1,15 @@
-// The sums of each base-level face, by its id: voxelization adds the fragments that cover the face. They are
-// in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene
-// fits into 32 bits, as a triangle covers a face at most once. A scene in which nothing moves needs them only
-// until extents.comp has run.
+// The sums of base-level faces: voxelization adds the fragments that cover a face. They are in fixed point.
+// One unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene fits into 32 bits,
+// as a triangle covers a face at most once.
+//
+// The sums of dynamic faces follow those of static ones. A static face has sums only while it is voxelized,
+// because extents.comp keeps in the face's words what later poses need (keptSums()). If all of the static
+// geometry is voxelized, the sums are in the order of the ids. After a move of cascades, the faces that are
+// new share a small room, and until they have light the word of their radiance has their place in it.
 #include "shared/frame.glsl"
-#include "directional/face_words.glsl"
+#include "directional/face_data.glsl"
 #include "directional/plane_points.glsl"
+#include "shared/counts.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
     uint faceSumData[];
@@ -28,7 +33,16 @@ const uint faceSumWords = VCT_FACE_SUM_WORDS;
 
 // The position of a face's sums.
 uint sumsAt(uint id) {
-    return id * faceSumWords;
+    uint capacity = commands[0].faceCapacity, place = id;
+    if (id >= capacity)
+        place = staticSums + id - capacity;
+    else if (sumsById == 0u)
+        place = max(faceData[radianceAt(id)], 1u) - 1u;
+    return place * faceSumWords;
+}
+// False if a static face has no sums.
+bool hasStaticSums(uint id) {
+    return sumsById != 0u || faceData[radianceAt(id)] != 0u;
 }
 
 void addToWords(uint at, vec3 value) {
@@ -81,6 +95,30 @@ FaceSums faceSums(uint id) {
                          threeWords(at + VCT_FACE_CURVE + 1u)));
 }
 
+// The sums of a static face that has no sums any more, as far as the words tell that extents.comp has written
+// to `id`. They are those of one layer of surface.
+FaceSums keptSums(uint id, int face) {
+    uint at = faceAt(id), word = faceData[at + VCT_FACE_SURFACE];
+    SurfacePlane plane = unpackPlane(word);
+    FaceExtent extent = faceExtent(id);
+    int axis = face >> 1;
+    float coverage = extent.coverage, side = (face & 1) == 0 ? 1.0 : -1.0;
+    vec3 middle = pointOnPlane(plane, axis, extent.place);
+    float depth = clamp(middle[axis], -0.5, 0.5), front = 0.5 + side * depth;
+    float nearness = max(1.0 - 0.6 * length(middle), 0.0);
+    float key = nearness * (0.4 + 0.6 * abs(plane.normal[axis]));
+    vec3 albedo = unpackRgb9e5(faceData[at + VCT_FACE_REFLECTANCE]), emission = vec3(0.0);
+#ifdef VCT_EMISSION
+    emission = unpackRgb9e5(faceData[at + VCT_FACE_EMITTED]);
+#endif
+    vec3 curve = vec3(0.5 + 0.5 * acrossFaces(plane.normal, axis), depth + 0.5);
+    return FaceSums(coverage, coverage * albedo, coverage * emission, coverage * (extent.place + 0.5),
+                    packPlane(key, extent.isCurved, plane.normal, plane.offset),
+                    packPlane(front, extent.isCurved, plane.normal, plane.offset),
+                    packFrontAlbedo(front, albedo),
+                    extent.isCurved ? coverage * vec4(1.0, curve) : vec4(0.0));
+}
+
 FaceSums combine(FaceSums a, FaceSums b) {
     return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission, a.place + b.place,
                     max(a.plane, b.plane), max(a.front, b.front), max(a.frontAlbedo, b.frontAlbedo),
@@ -130,11 +168,4 @@ uint visiblePlane(FaceSums sums, int face) {
     vec3 normal = normalize(fromAcross(across, along, axis));
     vec3 middle = fromAcross(sums.place / sums.coverage - 0.5, mean.z - 0.5, axis);
     return packPlane(0.0, true, normal, dot(middle, normal));
-}
-
-// The sums of a face in the static and the dynamic index, added together.
-FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
-    FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), vec2(0.0), 0u, 0u, 0u, vec4(0.0));
-    if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face));
-    return hasFace(dynamicCell, face) ? combine(sums, faceSums(faceId(dynamicCell, face))) : sums;
 }

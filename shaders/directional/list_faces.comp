@@ -2,6 +2,7 @@
 // their blocks. An invocation visits a layer of a block. Of the static geometry these are the voxels without
 // ids.
 #include "directional/block_lists.glsl"
+#include "directional/face_sums.glsl"
 #include "directional/index.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -24,16 +25,29 @@ uint placeOf(uint count) {
     return found;
 }
 
+// The position, counted from 1, of the sums of `count` faces that come into a cascade, which begin at 0;
+// noIds if there is no room. 0: the faces are not in that room.
+uint placeOfSums(uint count) {
+    if (list != 0u || sumsById != 0u) return 0u;
+    uint place = atomicAdd(takenSums, count);
+    if (place + count > staticSums) return noIds;
+    for (uint word = place * faceSumWords; word < (place + count) * faceSumWords; ++word)
+        faceSumData[word] = 0u;
+    return place + 1u;
+}
+
 // Lists a voxel and its faces. Returns its cell, 0 if there is no room.
 uint listVoxel(ivec3 voxel, uint known, bool hasPage) {
     bool isDynamic = list != 0u;
     uint faces = markedFaces(voxel, isDynamic);
     if (known == 0u) atomicAdd(commands[0].voxelCount, 1u);
-    uint count = uint(bitCount(faces)), first = placeOf(count), i = first;
+    uint count = uint(bitCount(faces)), sums = placeOfSums(count);
+    uint first = sums == noIds ? noIds : placeOf(count), i = first;
     bool fits = first != noIds && hasPage;
     for (uint left = faces; left != 0u && fits; left &= left - 1u) {
         int face = findLSB(left);
         uint flags = i == first ? VCT_FIRST_FACE : 0u;
+        if (sums != 0u) faceData[radianceAt(i)] = sums++;
         storeListed(list, i++, voxel, face, flags | (hasFace(known, face) ? VCT_MERGED_FACE : 0u));
     }
     if (VCT_CASCADES > 1 && !isDynamic && fits)

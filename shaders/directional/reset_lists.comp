@@ -15,7 +15,7 @@ void main() {
     barrier();
     if (list == 0u) {
         dynamicList = nextDynamic;
-        if (withStatic != 0u) unplacedFaces = unusedIds = takenIds = 0u;
+        if (withStatic != 0u) unplacedFaces = unusedIds = takenIds = takenSums = 0u;
     }
     if (list == (nextDynamic ^ 1u)) return;
     if (withStatic != 0u) {

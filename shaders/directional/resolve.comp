@@ -1,18 +1,26 @@
-// Writes the surface and the material of each base-level face from its sums, after a pose has been voxelized.
+// Writes the surface and the material of each base-level face from its sums, after it has been voxelized.
 // directional/extents.comp finds where the surface ends.
 #include "directional/resolved.glsl"
 
+// The sums of a face. If static and dynamic geometry share it, the words of the static geometry alone are
+// moved to the id of the dynamic face.
+FaceSums sumsOf(ResolvedFace own) {
+    if (own.dynamicId == noIds) return faceSums(own.id);
+    uint from = faceAt(own.id), to = faceAt(own.dynamicId);
+    for (uint word = 0u; word < faceWords; ++word)
+        faceData[to + word] = faceData[from + word];
+    return combine(keptSums(own.id, own.face), faceSums(own.dynamicId));
+}
+
 void main() {
-    uint count = visitedFaceCount();
-    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    uint count = faceCount(list), stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = visitedFaceId(i);
-        ResolvedFace own = resolvedFace(id);
+        ResolvedFace own = resolvedFace(i);
         if (!own.changes) continue;
-        FaceSums sums = combinedSums(own.staticCell, movingCell(own), own.face);
+        FaceSums sums = sumsOf(own);
         uint visible = visiblePlane(sums, own.face);
         float weight = max(sums.coverage, 1e-4);
-        uint at = faceAt(id);
+        uint at = faceAt(own.id);
         faceData[at + VCT_FACE_SURFACE] = packSurface(visible, 1.0);
         faceData[at + VCT_FACE_EXTENT] =
             packExtent(FaceExtent(sums.coverage, isCurved(visible), sums.place / weight - 0.5, 0u, 0u));

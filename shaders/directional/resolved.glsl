@@ -1,40 +1,44 @@
-// The faces that resolve.comp and then extents.comp visit after a pose has been voxelized. A face that static
-// and dynamic geometry share has two ids: at the static one are both together, and at the dynamic one is the
-// static geometry alone, for rays whose hits are kept while objects move. In a scene with cascades in which
-// nothing moves, they visit the faces that have no light yet; the others stay as they are.
-#include "directional/changed.glsl"
-#include "directional/index.glsl"
-#include "directional/visited.glsl"
+// The faces that resolve.comp and then extents.comp visit. Static faces come first, once they have been
+// voxelized, and keep their surface from pose to pose. The dynamic faces of each pose follow. A face that
+// static and dynamic geometry share has two ids: at the static one are both together, and at the dynamic one
+// is the static geometry alone, for rays whose hits are kept while objects move, and for the next pose.
+#include "directional/face_lists.glsl"
 #include "directional/face_sums.glsl"
+#include "directional/index.glsl"
+#include "directional/shared_face.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
+// 0: all static faces; VCT_LIST_VISITED: those that are listed there; or the dynamic list.
+layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 struct ResolvedFace {
+    uint id;  // that has the surface
     ivec3 voxel;
     int face;
-    uint staticCell, dynamicCell;  // of the voxel
-    bool isStatic;                 // its surface is that of the static geometry alone
-    bool changes;                  // false: no face has the id, or the pose leaves it as it is
+    uint staticCell, dynamicCell;  // of the voxel; static faces are without the dynamic geometry
+    uint dynamicId;                // of a face that static and dynamic geometry share; else noIds
+    bool changes;                  // false: no face has the id, or it has no sums
 };
-ResolvedFace resolvedFace(uint id) {
+ResolvedFace resolvedFace(uint i) {
+    uint id =
+        list == uint(VCT_LIST_VISITED) ? faceData[commands[list].firstFace + i] : commands[list].firstId + i;
     ListedFace listed = baseFace(id);
-    if (listed.isMerged && id < commands[0].faceCapacity || isUnchanged(id, listed.voxel))
-        return ResolvedFace(listed.voxel, listed.face, 0u, 0u, false, false);
-    uint staticCell = staticCellAt(listed.voxel), dynamicCell = dynamicCellAt(listed.voxel);
-    bool isStatic = listed.isMerged || !hasFace(dynamicCell, listed.face);
-    return ResolvedFace(listed.voxel, listed.face, staticCell, dynamicCell, isStatic, true);
+    uint staticCell = staticCellAt(listed.voxel);
+    if (id < commands[0].faceCapacity)
+        return ResolvedFace(id, listed.voxel, listed.face, staticCell, 0u, noIds,
+                            !listed.isMerged && hasStaticSums(id));
+    SharedFace pair = sharedFace(listed, id);
+    uint dynamicCell = dynamicCellAt(listed.voxel);
+    return ResolvedFace(pair.isShared ? pair.staticId : id, listed.voxel, listed.face, staticCell,
+                        dynamicCell, pair.isShared ? id : noIds, pair.isListed);
 }
 // Another voxel, as far as the face's surface may meet others there.
 ResolvedFace inVoxel(ResolvedFace own, ivec3 voxel) {
-    return ResolvedFace(voxel, own.face, staticCellAt(voxel), dynamicCellAt(voxel), own.isStatic,
-                        own.changes);
+    uint dynamicCell = list == dynamicList ? dynamicCellAt(voxel) : 0u;
+    return ResolvedFace(own.id, voxel, own.face, staticCellAt(voxel), dynamicCell, noIds, own.changes);
 }
 
-// The cell of the dynamic geometry, if the surface has any.
-uint movingCell(ResolvedFace own) {
-    return own.isStatic ? 0u : own.dynamicCell;
-}
 // A bit for each face of the voxel.
 uint facesBeside(ResolvedFace own) {
-    return (own.staticCell | movingCell(own)) & VCT_FACE_MASK;
+    return (own.staticCell | own.dynamicCell) & VCT_FACE_MASK;
 }

@@ -6,16 +6,7 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform highp uimage3D index;
-layout(location = VCT_UNIFORM_REBUILDS) uniform uint rebuilds;               // 1: sums begin at 0 again
 layout(location = VCT_UNIFORM_SHIFT) uniform uint shifts[VCT_MAX_CASCADES];  // packShift() of each cascade
-
-#include "directional/face_sums.glsl"
-
-void clearSums(uint id) {
-    uint at = sumsAt(id);
-    for (uint word = 0u; word < faceSumWords; ++word)
-        faceSumData[at + word] = 0u;
-}
 
 // The id, counted from 1, of the face of the next coarser cascade where a voxel is; 0: none. The voxel may be
 // outside of its cascade, whose number is `own`.
@@ -48,7 +39,6 @@ void main() {
                 faceData[list + id + size] = VCT_FREE_FACE;
                 faceData[faceAt(id + size) + VCT_FACE_INSTEAD] = idInNextCascade(now, own, face);
             }
-            if (!stays || rebuilds != 0u) clearSums(id + size);
             ++size;
             entry = id + size < total ? faceData[list + id + size] : VCT_FREE_FACE;
         } while (size < 6u && (entry & VCT_FIRST_FACE) == 0u);

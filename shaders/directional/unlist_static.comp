@@ -27,6 +27,8 @@ void main() {
         for (uint id = begin; id < end; id += uint(VCT_LIST_GROUP)) {
             uint entry = faceData[list + id];
             if (entry == VCT_FREE_FACE && !isFree(id)) atomicOr(faceData[freeAt(id)], 1u << (id & 31u));
+            // It has neither light nor sums (directional/face_sums.glsl).
+            if (isFresh(id)) faceData[radianceAt(id)] = 0u;
             if (isFirst(entry) && isMoved(entry))
                 ++moving;
             else if (isFirst(entry))

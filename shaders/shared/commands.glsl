@@ -1,17 +1,7 @@
 // The active-voxel lists and their indirect commands. Appending a voxel takes one atomic operation, and every
 // 64th voxel takes another one for the size of the dispatch.
-#include "shared/layout.h"
+#include "shared/counts.glsl"
 
-layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
-    LevelCommands commands[VCT_LISTS];
-    uint dynamicList;
-    uint blockedRays;
-    uint mostBlockedRays;
-    uint unplacedFaces;
-    uint unusedIds;
-    uint takenIds;
-    uint brickLayers[VCT_MAX_CASCADES];
-};
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];
 };

@@ -121,7 +121,6 @@ using glm::vec4;
 #define VCT_UNIFORM_CASCADES 2          // the cascades whose static geometry has changed, a bit for each
 #define VCT_UNIFORM_PLACED 1            // the cascades whose bricks are placed again, a bit for each
 #define VCT_UNIFORM_STATIC 1            // 1: the static geometry is listed again as well
-#define VCT_UNIFORM_REBUILDS 1          // 1: all faces are voxelized again; 0: those of new voxels
 #define VCT_UNIFORM_SHIFT 3             // packShift(): move of the cascade, or those of all cascades
 #define VCT_UNIFORM_ARRIVED 3           // packShift(): voxels that have come into each cascade, on both sides
 #define VCT_UNIFORM_TURNS 1             // turns of forward_hits.comp, in this dispatch or left
@@ -364,6 +363,9 @@ struct CommandLists {
     uint unplacedFaces;    // static faces that found no ids when the static geometry was last listed
     uint unusedIds;        // static ids without a face after the cascades moved last
     uint takenIds;         // those of them that faces took
+    uint staticSums;       // room for the sums of so many static faces (directional/face_sums.glsl)
+    uint takenSums;        // as many static faces wanted room there since the cascades moved last
+    uint sumsById;         // 1: all static faces have sums, in the order of their ids
     // Layers of texels of the bricks that were placed last, also those that did not fit.
     uint brickLayers[VCT_MAX_CASCADES];
 };

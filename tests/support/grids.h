@@ -12,17 +12,15 @@ namespace vct::test {
 
 // Slots are not compared, as the GPU assigns them in any order.
 struct Grid {
-    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
-    std::vector<std::vector<std::uint32_t>> words;  // of each level of packed voxels
-    Faces faces;                                    // of directional voxels
-    std::vector<std::uint32_t> blockFaces;          // sorted
-    // For each face of the base level, the words of its surface, and the sums of voxelization, which scenes
-    // in which nothing moves do not keep.
-    std::map<std::uint32_t, std::vector<std::uint32_t>> surfaces, sums;
+    std::vector<std::vector<std::uint32_t>> lists;                 // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;                 // of each level of packed voxels
+    Faces faces;                                                   // of directional voxels
+    std::vector<std::uint32_t> blockFaces;                         // sorted
+    std::map<std::uint32_t, std::vector<std::uint32_t>> surfaces;  // words of each face of the base level
 };
 Grid gridOf(Renderer& renderer);
 
-// Lists, sums and surfaces are equal to the bit. EXPECT_EQ would print millions of words.
+// Lists and surfaces are equal to the bit. EXPECT_EQ would print millions of words.
 void expectSameGrid(const Grid& a, const Grid& b, const std::string& what);
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what);

@@ -86,7 +86,7 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
         if (needed == voxels_.capacities()) break;
         voxels_.reset(needed);
     }
-    if (!hasDynamic_ && !hasCascades_) voxels_.dropSums();
+    voxels_.shrinkSums();
     cascades_ = cascades;
     isIncomplete_ = false;
     if (light_) light_->invalidate();
@@ -121,11 +121,17 @@ std::uint32_t DirectionalVolume::revoxelize(const GpuScene& scene, const Cascade
         voxels_.resolve(0, scene.movingBounds());
         return 0;
     }
-    voxels_.beginMove(shifts, moved, rebuilds);
+    using StaticFaces = DirectionalVoxels::StaticFaces;
+    const bool isLong = isFar(shifts, voxels_.grid());
+    voxels_.beginMove(shifts, moved,
+                      rebuilds ? StaticFaces::all
+                      : isLong ? StaticFaces::ofLongMove
+                               : StaticFaces::ofMove);
     if (rebuilds)
         voxelize(scene, {cascades});
     else
         voxelize(scene, {cascades, moved, &shifts});
+    if (rebuilds || isLong) voxels_.shrinkSums();
     return rebuilds ? DirectionalVoxels::allCascades : moved;
 }
 
@@ -161,11 +167,14 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
 
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     const FaceCapacities capacities = capacitiesFor(found);
-    if (capacities == voxels_.capacities()) return false;
+    // The next move may bring twice as many faces.
+    const bool missSums = found.takenSums > found.staticSums;
+    if (2 * found.takenSums > found.staticSums) voxels_.reserveSums(2 * found.takenSums);
+    if (capacities == voxels_.capacities() && !missSums) return false;
     // If something did not fit, all is voxelized again. Faces that were there keep their light.
-    isIncomplete_ |= found.unplacedFaces > 0 ||
+    isIncomplete_ |= found.unplacedFaces > 0 || missSums ||
                      found.lists[VCT_BRICK_LEVEL].faceCount > voxels_.capacities()[VCT_BRICK_LEVEL];
-    voxels_.grow(capacities);
+    if (capacities != voxels_.capacities()) voxels_.grow(capacities);
     if (isIncomplete_ || hasDynamic_) cachedFor_.reset();
     return true;
 }

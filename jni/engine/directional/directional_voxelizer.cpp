@@ -26,8 +26,8 @@ gl::ProgramDescription markFacesProgram(unsigned features) {
     return voxelizing("directional/mark_faces", featureDefines(features, used), Voxelization::sortedAxes);
 }
 
-gl::ProgramDescription listFacesProgram() {
-    return {"directional/list_faces", {"directional/list_faces.comp"}, {}};
+gl::ProgramDescription listFacesProgram(bool emission) {
+    return {"directional/list_faces", {"directional/list_faces.comp"}, emissionDefines(emission)};
 }
 
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission) {
@@ -55,7 +55,7 @@ DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, con
     : grid_(grid),
       markFaces_(shaders, scene, markFacesProgram),
       accumulate_(shaders, scene, [=](unsigned features) { return accumulateProgram(features, emission); }),
-      listFaces_(shaders, listFacesProgram()),
+      listFaces_(shaders, listFacesProgram(emission)),
       projection_(grid, pixelSamples) {}
 
 void DirectionalVoxelizer::drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs,

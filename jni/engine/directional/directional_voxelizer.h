@@ -10,7 +10,7 @@
 namespace vct {
 
 gl::ProgramDescription markFacesProgram(unsigned features);
-gl::ProgramDescription listFacesProgram();
+gl::ProgramDescription listFacesProgram(bool emission);
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
 // The viewport that the volume is projected to along an axis. A voxel is sixteen samples: two pixels wide

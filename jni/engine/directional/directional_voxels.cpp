@@ -169,7 +169,6 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.clearTexture();
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
-    faceSums_ = {};
     capacities_ = capacities;
     makeDynamicIndices();
     pose_ = 0;
@@ -177,12 +176,40 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     placeLists(commands);
     std::vector<std::uint32_t> data(words());
     std::fill_n(data.begin() + commands.lists[0].firstFace, capacities[0], VCT_FREE_FACE);
-    const std::vector<std::uint32_t> sums(std::max(std::size_t{idCapacity()} * sumWords(), std::size_t{1}));
     faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, data.size() * sizeof data[0],
                            data.data(), GL_DYNAMIC_COPY);
+    index_.setCommands(commands);
+    makeSums(capacities[0], true);
+}
+
+void DirectionalVoxels::makeSums(std::uint32_t staticFaces, bool byId) {
+    // The old buffer is released first, so that the two need not fit into memory together.
+    faceSums_ = {};
+    sumsById_ = byId;
+    const std::size_t faces = staticFaces + 2 * std::size_t{capacities_[VCT_LIST_DYNAMIC]};
+    const std::vector<std::uint32_t> sums(std::max(faces * sumWords(), std::size_t{1}));
     faceSums_ = gl::Buffer("sums of voxel faces", GL_SHADER_STORAGE_BUFFER, sums.size() * sizeof sums[0],
                            sums.data(), GL_DYNAMIC_COPY);
-    index_.setCommands(commands);
+    index_.setStaticSums(staticFaces, byId);
+}
+
+void DirectionalVoxels::reserveSums(std::uint32_t staticFaces) {
+    if (staticFaces <= sumCapacity_) return;
+    sumCapacity_ = staticFaces;
+    makeSums(sumCapacity_, false);
+}
+
+void DirectionalVoxels::shrinkSums() {
+    if (!dynamicObjects_ && cascades_ == 1) {
+        faceSums_ = {};
+        return;
+    }
+    // One cascade moves at a time, by an eighth of its side along one axis or more. It has room for half of
+    // its faces, because they lie unevenly.
+    if (cascades_ > 1)
+        sumCapacity_ =
+            std::max(sumCapacity_, capacities_[0] / (2 * static_cast<std::uint32_t>(cascades_)) + 256);
+    makeSums(sumCapacity_, false);
 }
 
 void DirectionalVoxels::markStatic() const {
@@ -197,13 +224,11 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     shared::CommandLists commands = index_.readCommands();
     const shared::CommandLists old = commands;
     std::vector<std::uint32_t> before(faceData_.bytes() / sizeof(std::uint32_t));
-    std::vector<std::uint32_t> sumsBefore(faceSums_.bytes() / sizeof(std::uint32_t));
     faceData_.read(before.data(), faceData_.bytes());
-    faceSums_.read(sumsBefore.data(), faceSums_.bytes());
     capacities_ = capacities;
     makeDynamicIndices();
     placeLists(commands);
-    std::vector<std::uint32_t> after(words()), sums(std::size_t{idCapacity()} * sumWords());
+    std::vector<std::uint32_t> after(words());
     const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
         std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(from), count,
                     after.begin() + static_cast<std::ptrdiff_t>(to));
@@ -219,9 +244,6 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
             after[radianceWord(now.firstId + i)] = before[radianceWord(was.firstId + i)];
             copy(faceWord(was.firstId + i), faceWord(now.firstId + i), faceWords());
         }
-        std::copy_n(sumsBefore.begin() + static_cast<std::ptrdiff_t>(std::size_t{was.firstId} * sumWords()),
-                    std::size_t{count} * sumWords(),
-                    sums.begin() + static_cast<std::ptrdiff_t>(std::size_t{now.firstId} * sumWords()));
         now.faceCount = count;
         now.staticFaces = std::min(now.staticFaces, count);
         if (list == 0) continue;  // its ids stay
@@ -245,12 +267,10 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         after[now.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entry));
     }
     faceData_ = {};
-    faceSums_ = {};
     faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, after.size() * sizeof after[0],
                            after.data(), GL_DYNAMIC_COPY);
-    faceSums_ = gl::Buffer("sums of voxel faces", GL_SHADER_STORAGE_BUFFER, sums.size() * sizeof sums[0],
-                           sums.data(), GL_DYNAMIC_COPY);
     index_.setCommands(commands);
+    shrinkSums();
 }
 
 void DirectionalVoxels::makeDynamicIndices() {
@@ -307,6 +327,7 @@ void DirectionalVoxels::writeIndex(std::uint32_t list, std::uint32_t firstId,
 void DirectionalVoxels::resetLists(bool withStatic) {
     clearDynamic_.use();
     if (hasDynamicObjects()) {
+        bindIndices();
         pagesOf(dynamicList() ^ 1U).bindImage(VCT_IMAGE_PAGES, 0, GL_WRITE_ONLY);
         index_.dispatchOverFaces(0);
     }
@@ -329,8 +350,10 @@ void DirectionalVoxels::beginPose() {
     resetLists(false);
 }
 
-void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t moved, bool rebuilds) {
+void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t moved, StaticFaces voxelized) {
     const gl::DebugGroup group("move cascades");
+    const bool rebuilds = voxelized == StaticFaces::all;
+    if (voxelized != StaticFaces::ofMove) makeSums(capacities_[0], rebuilds);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bindForVoxelization();
@@ -343,7 +366,6 @@ void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t mov
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
     scroll_.use();
-    gl::Uniform1ui(VCT_UNIFORM_REBUILDS, rebuilds ? 1 : 0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(cascades_); ++i)
         gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i), shared::packShift(shifts.at(i)));
     staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
@@ -398,21 +420,24 @@ void DirectionalVoxels::resolve(std::uint32_t changed, const Bounds& objects) {
     changed_ = changed != 0 ? everywhere : united(objects_, objects);
     objects_ = objects;
     bindForVoxelization();
-    const bool visitsAll = cascades_ == 1 || hasDynamicObjects();
-    if (!visitsAll) listFresh();
+    if (changed != 0 && !sumsById_) listFresh();
     bindIndices();
-    for (const gl::Program* program : {&resolve_, &extents_}) {
-        program->use();
-        if (cascades_ > 1) gl::Uniform1ui(VCT_UNIFORM_VISITS_ALL, visitsAll ? 1 : 0);
-        setChanged(changed_);
-        index_.dispatchOverFaces(visitsAll ? 0 : VCT_LIST_VISITED);
-        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    }
+    if (changed != 0) resolveFaces(sumsById_ ? 0 : VCT_LIST_VISITED);
+    if (hasDynamicObjects()) resolveFaces(dynamicList());
     fillBlocks_.use();
     blocks_.bindImage(VCT_IMAGE_BLOCKS, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, changed);
     dispatchOverBlocks((hasDynamicObjects() ? 2 : 1) * cascades_ * grid() / VCT_BRICK_SIDE);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void DirectionalVoxels::resolveFaces(std::uint32_t list) const {
+    for (const gl::Program* program : {&resolve_, &extents_}) {
+        program->use();
+        gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+        index_.dispatchOverFaces(static_cast<int>(list));
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
 }
 
 void DirectionalVoxels::setChanged(const Bounds& box) {

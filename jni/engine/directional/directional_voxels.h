@@ -67,8 +67,6 @@ class DirectionalVoxels {
     std::uint32_t faceWord(std::uint32_t id) const {
         return firstFaceWord() + shared::faceWord(id, faceWords());
     }
-    // The sums of all faces: shaders/directional/face_sums.glsl. Empty after dropSums().
-    const gl::Buffer& faceSums() const { return faceSums_; }
     std::uint32_t sumWords() const { return emission_ ? VCT_EMISSIVE_FACE_SUM_WORDS : VCT_FACE_SUM_WORDS; }
     const FaceCapacities& capacities() const { return capacities_; }
     // The lists of the base level in the order of their ids.
@@ -92,17 +90,20 @@ class DirectionalVoxels {
     void reset(const FaceCapacities& capacities);
     // Marks the listed voxels and faces as static. The lists return to these counts for each pose.
     void markStatic() const;
-    // Frees the memory of the sums, if nothing will be voxelized until reset().
-    void dropSums() { faceSums_ = {}; }
+    // Leaves room for the sums of the static faces that a move brings, once all of them or those of a long
+    // move are resolved. reserveSums(): of at least so many.
+    void shrinkSums();
+    void reserveSums(std::uint32_t staticFaces);
     // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
     // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
     void grow(const FaceCapacities& capacities);
     // Removes the dynamic objects of the last pose.
     void beginPose();
     // The same after cascades have moved: faces that a cascade has left are removed as well, and those that
-    // it has reached can be added. `moved`: a bit for each cascade with a shift other than 0. `rebuilds`: the
-    // sums of all faces begin at 0.
-    void beginMove(const CascadeShifts& shifts, std::uint32_t moved, bool rebuilds);
+    // it has reached can be added. `moved`: a bit for each cascade with a shift other than 0. `voxelized`:
+    // the static faces that are voxelized next; shrinkSums() follows, unless these are few.
+    enum class StaticFaces { ofMove, ofLongMove, all };
+    void beginMove(const CascadeShifts& shifts, std::uint32_t moved, StaticFaces voxelized);
     static constexpr std::uint32_t allCascades = 0xFFFFFFFFU;
     // Writes the occupied voxels of blocks, and the surface and the material of each face, after static
     // geometry and pose have been voxelized. `changed`: the cascades whose static geometry has changed, a bit
@@ -141,6 +142,8 @@ class DirectionalVoxels {
 
   private:
     void resetLists(bool withStatic);
+    void makeSums(std::uint32_t staticFaces, bool byId);
+    void resolveFaces(std::uint32_t list) const;
     // Dispatches the current program, of groups of 4^3 blocks, over so many layers of blocks.
     void dispatchOverBlocks(int layers) const;
     void placeLists(shared::CommandLists& commands) const;
@@ -155,8 +158,10 @@ class DirectionalVoxels {
     bool dynamicObjects_, emission_;
     VoxelPyramid index_;
     std::vector<gl::Texture> dynamicIndices_,
-        dynamicPages_;  // two each, alternately of the present pose and the last one
-    gl::Buffer faceData_, faceSums_;
+        dynamicPages_;                // two each, alternately of the present pose and the last one
+    gl::Buffer faceData_, faceSums_;  // shaders/directional/face_sums.glsl
+    bool sumsById_ = true;
+    std::uint32_t sumCapacity_ = 0;  // static faces that a move may bring
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0;
     Bounds objects_ = noBounds, changed_ = noBounds;
