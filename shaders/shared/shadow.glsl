@@ -68,8 +68,8 @@ vec2 coneSlope(vec3 normal) {
 }
 
 // The same as depth per texel along the map's two coordinates, which are not perpendicular to each other.
-vec2 shadowSlope(SunMap map, vec2 coneSlope) {
-    return vec2(coneSlope.x - frame.shadowShear * coneSlope.y, coneSlope.y) * map.coneTexel;
+vec2 shadowSlope(SunMap map, vec2 slope) {
+    return vec2(slope.x - frame.shadowShear * slope.y, slope.y) * map.coneTexel;
 }
 
 // The four texels of a bilinear filter, compared with the receiver's plane. The components of a vec4 are in
