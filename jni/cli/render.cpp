@@ -376,8 +376,9 @@ void render(RenderOptions options) {
     if (settings.voxels == Voxels::directional && options.bakedLight.empty())
         say("indirect light converges over " + std::to_string(settings.lightFrames) +
             " frames (--light-frames) and " +
-            std::to_string(LightSchedule(settings.gather, settings.lightFrames).convergenceSteps() -
-                           settings.lightFrames) +
+            std::to_string(
+                LightSchedule(settings.gather, settings.lightFrames, settings.cascades).convergenceSteps() -
+                settings.lightFrames) +
             " frames of refinement before the first picture");
     TimingsReport report;
     const Placed placed{options, scene, camera, light, renderer};

@@ -1,6 +1,7 @@
 // Finds the cached rays of static faces that moving objects block, after a new pose. A ray that passes the
 // sphere around an object is traced through the dynamic voxels, up to its cached hit.
 #include "directional/face_rays.glsl"
+#include "directional/visited.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
@@ -82,9 +83,11 @@ uint traceObjects(FaceRays rays, vec3 direction, float reach, int number) {
 }
 
 void main() {
-    uint count = faceCount(0u);
+    uint count = visitedFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        uint id = visitedFaceId(i);
+        if (id >= commands[0].faceCapacity) continue;
         uint at = irradianceAt(id) + VCT_FACE_BLOCKED;
         ListedFace listed = baseFace(id);
         // The rays of merged faces meet moving objects as they are traced.

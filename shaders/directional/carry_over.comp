@@ -61,8 +61,8 @@ void main() {
             from = litFace(lastCellAt(beside), listed.face);
             if (from == 0u && list == dynamicList) from = litFace(staticCellAt(beside), listed.face);
         }
-        // Direct light and the light of emitters of a moving object change. Means that this light step
-        // computes before it reads them keep what the words had.
+        // Direct light of a moving object changes. Means that this light step computes before it reads them
+        // keep what the words had.
         uint to = irradianceAt(id), old = irradianceAt(max(from, 1u) - 1u);
         for (uint word = VCT_MEAN_SMOOTH; word < VCT_MEAN_GAIN; ++word) {
             uint value = faceIrradianceData[old + word];
@@ -80,7 +80,7 @@ void main() {
         for (uint word = VCT_FACE_BLOCKED + 1u; word < VCT_IRRADIANCE_WORDS; ++word)
             faceIrradianceData[to + word] = 0u;
 #ifdef VCT_EMITTERS
-        if (isStatic && from != 0u) takeEmitterIrradiance(id, from - 1u);
+        if (from != 0u) takeEmitterIrradiance(id, from - 1u);
 #endif
         if (isSame) faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
         if (isStatic) {

@@ -27,12 +27,12 @@ bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
     return false;
 }
 
-// After a move of cascades, faces that have taken over the light of a coarser one take turns.
+// After a move of cascades, faces that have taken over the light of another one take turns.
 bool isDue(uint id) {
     if (lightStep.emitterTurns == 1u) return true;
     float known = faceMean(id, VCT_FACE_EMITTERS).a;
     bool isInTurn = (id >> 5u) % lightStep.emitterTurns == lightStep.frame % lightStep.emitterTurns;
-    return known == emittersUnknown || known == emittersOfCoarser && isInTurn;
+    return known == emittersUnknown || known == emittersTakenOver && isInTurn;
 }
 
 void main() {

@@ -221,13 +221,13 @@ vec3 reflectedBounces(vec3 albedo, vec3 irradiance) {
 
 // Irradiance by the compact emitters (directional/emitters.comp). Alpha tells whether it is known.
 #ifdef VCT_EMITTERS
-const float emittersUnknown = 0.0, emittersOfCoarser = 0.5, emittersKnown = 1.0;
+const float emittersUnknown = 0.0, emittersTakenOver = 0.5, emittersKnown = 1.0;
 vec3 emitterIrradiance(uint id) {
     return faceMean(id, VCT_FACE_EMITTERS).rgb;
 }
-// A new face takes over what a face of a coarser cascade has.
+// A new face takes over what another face has, one of a coarser cascade or of the last pose.
 void takeEmitterIrradiance(uint id, uint from) {
-    storeFaceMean(id, VCT_FACE_EMITTERS, vec4(emitterIrradiance(from), emittersOfCoarser));
+    storeFaceMean(id, VCT_FACE_EMITTERS, vec4(emitterIrradiance(from), emittersTakenOver));
 }
 #else
 vec3 emitterIrradiance(uint id) {

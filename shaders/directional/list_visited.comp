@@ -1,4 +1,5 @@
-// Lists the static faces that the next light steps visit after cascades have moved. Only with cascades.
+// Lists the faces that the next light steps visit: static faces of some cascades, those that a move of
+// cascades has changed, and all dynamic ones. Only with cascades.
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
@@ -6,18 +7,24 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_TURNS) uniform uint turnsLeft;  // of forward_hits.comp
 
 void main() {
-    uint count = faceCount(0u);
+    uint count = baseFaceCount(), staticCount = faceCount(0u);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint id = gl_GlobalInvocationID.x; id < count; id += stride) {
+    for (uint n = gl_GlobalInvocationID.x; n < count; n += stride) {
+        uint id = baseFaceId(n);
+        bool isStatic = n < staticCount;
         // All faces have light now, and no hit is of a face whose id another one has got. The first of the
         // ids that share a word clears it.
-        if ((id & 31u) == 0u) {
+        if (isStatic && (id & 31u) == 0u) {
             uint fresh = faceData[freshAt(id)];
             faceData[freshAt(id)] = 0u;
             faceData[goneAt(id)] = turnsLeft == 0u ? 0u : faceData[goneAt(id)] & ~fresh;
         }
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
         uint changed = faceIrradianceData[changedAt(id)];
-        if (changed == 0u || changed < lightStep.visitsSince || baseFace(id).isMerged) continue;
+        if (isStatic && (changed == 0u || changed < lightStep.visitsSince) &&
+            (lightStep.visitedCascades >> uint(cascadeOf(listed.voxel)) & 1u) == 0u)
+            continue;
         uint i = reserveFaces(uint(VCT_LIST_VISITED), 1u);
         if (i < commands[VCT_LIST_VISITED].faceCapacity)
             faceData[commands[VCT_LIST_VISITED].firstFace + i] = id;

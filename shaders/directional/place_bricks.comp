@@ -61,8 +61,7 @@ uint layersInBrick(ListedFace listed) {
 
 // Takes a place for the brick of a block's face. Returns 0 if there is no room.
 uint placeOf(ListedFace listed, int cascade) {
-    int owner = frame.hasDynamicObjects != 0 ? 0 : cascade;
-    BrickRoom room = lightStep.bricks[owner];
+    BrickRoom room = lightStep.bricks[cascade];
     uint own = layersAside(listed, ivec3(0)) << 1u, layers = layersInBrick(listed);
     // Borders that the block's one layer does not touch are too far away to count.
     uint near = own << 1u | own | own >> 1u;
@@ -72,7 +71,7 @@ uint placeOf(ListedFace listed, int cascade) {
     // A brick does not go on in the next column of the texture.
     uint along = uint(imageSize(brickTexels).x / VCT_BRICK_TEXELS), high = uint(imageSize(brickTexels).z);
     for (int attempt = 0; attempt < 3; ++attempt) {
-        uint taken = atomicAdd(brickLayers[owner], count);
+        uint taken = atomicAdd(brickLayers[cascade], count);
         if (taken + count > room.layers) return 0u;
         uint place = room.firstLayer + taken, column = place / high, z = place % high;
         if (z + count <= high)

@@ -1,6 +1,4 @@
-// The faces that a pass of a light step visits. After a change of the light these are all. After cascades
-// have moved, and nothing else has changed, they are the static faces that are new or that have lost hits
-// (directional/list_visited.comp).
+// The faces that a pass of a light step visits: all, or with cascades those of directional/list_visited.comp.
 #include "directional/face_lists.glsl"
 
 #if VCT_CASCADES > 1

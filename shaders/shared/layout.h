@@ -300,7 +300,7 @@ struct LightStep {
     uint endsRefinement;   // 1: the step is the last one of a refinement
     uint startsDark;       // 1: no face had light before its first rays
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
-    uint unusedWord;
+    uint visitedCascades;  // all static faces of these cascades are visited, a bit for each
     uint firstForward;     // words of the buffer where the faces' next ids or last changes begin,
     uint firstHit;         // the hits,
     uint firstBlocked;     // and the blocked rays
@@ -308,7 +308,7 @@ struct LightStep {
     uint objectCount;      // moving objects
     uint visitsSince;      // number of a step, from 1: faces that have changed since then are visited
     uint emitterTurns;     // faces take over the light of a coarser cascade's emitters for so many steps
-    BrickRoom bricks[VCT_MAX_CASCADES];  // of each cascade; with dynamic objects, the first one is for all
+    BrickRoom bricks[VCT_MAX_CASCADES];  // of each cascade
     vec4 objectsLow, objectsHigh;        // xyz: the box around the moving objects, volume space
     vec4 object[VCT_MAX_OBJECTS];        // xyz: middle, volume space; w: radius
 };

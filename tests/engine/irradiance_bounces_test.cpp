@@ -65,7 +65,8 @@ constexpr int presetFrames = 16 + 1024 / 8;
 TEST(ClosedRoom, AFurnaceConvergesToItsEquilibrium) {
     const Context context = openContext(Backend::egl);
     const Settings mobile = presetSettings("mobile");
-    ASSERT_EQ(LightSchedule(mobile.gather, mobile.lightFrames).convergenceSteps(), presetFrames);
+    ASSERT_EQ(LightSchedule(mobile.gather, mobile.lightFrames, mobile.cascades).convergenceSteps(),
+              presetFrames);
     for (const float albedo : {0.0F, 0.9F}) {
         const WallIrradiance room = irradianceOfWalls(context, furnace(albedo, 1.0F), presetFrames);
         const double right = 1.0 / (1.0 - static_cast<double>(albedo));

@@ -187,7 +187,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const CascadeShifts shifts = shiftsOf(*cascades_, inputs.cascades, voxels_.grid());
     const bool isJump = isFar(shifts, voxels_.grid());
     const bool changesStatic = isMoved || (hasCascades_ && (inputs.forceRebuild || isIncomplete_));
-    const bool voxelizes = changesStatic || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
+    const bool posesObjects = hasDynamic_ && (inputs.forceRebuild || !sameObjects);
+    const bool voxelizes = changesStatic || posesObjects;
     Bounds changed = noBounds;
     if (voxelizes)
         timer.time(Step::voxelize, [&] {
@@ -207,7 +208,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
                                  .light = before != inputs.now,
                                  .emitters = !sameObjects || before->lightChanges != inputs.now.lightChanges,
                                  .sky = before && before->skyChanges != inputs.now.skyChanges,
-                                 .all = isJump || (voxelizes && hasDynamic_),
+                                 .all = isJump || posesObjects,
                                  .cascades = isMoved},
                                 shifts, changed);
     cachedFor_ = inputs.now;
@@ -219,7 +220,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     if (!light_) {
         light_.emplace(shaders_, Irradiance::fitting(settings_.gatherOfFrames(), voxels_.idCapacity()),
                        settings_.lightFrames, inputs.scene.moves() && !voxelizesAll_,
-                       hasDynamic_ || hasCascades_, hasCascades_, sources_);
+                       hasDynamic_ || hasCascades_, settings_.cascades, sources_);
         if (inputs.baked && inputs.allBounces) light_->useBaked(inputs.baked, inputs.isBakedCurrent);
     }
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();

@@ -149,7 +149,7 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     next += 3 * ((capacities_[0] + 31) / 32);
     shared::LevelCommands& visited = commands.lists[VCT_LIST_VISITED];
     visited.firstFace = next + firstId;
-    visited.faceCapacity = cascades_ > 1 ? capacities_[0] : 0;
+    visited.faceCapacity = cascades_ > 1 ? capacities_[0] + capacities_[VCT_LIST_DYNAMIC] : 0;
     next += visited.faceCapacity;
     shared::LevelCommands& blocks = commands.lists[VCT_BRICK_LEVEL];
     blocks.firstFace = next + firstId;
@@ -417,7 +417,7 @@ std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {
 
 void DirectionalVoxels::resolve(std::uint32_t changed, const Bounds& objects) {
     const gl::DebugGroup group("resolve faces");
-    changed_ = changed != 0 ? everywhere : united(objects_, objects);
+    changed_ = united(objects_, objects);
     objects_ = objects;
     bindForVoxelization();
     if (changed != 0 && !sumsById_) listFresh();

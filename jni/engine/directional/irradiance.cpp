@@ -89,12 +89,13 @@ void ArrivedVoxels::addAll(int grid) {
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
-                       bool hasObjects, bool listsChange, bool hasCascades, const LightFeatures& sources)
+                       bool hasObjects, bool listsChange, int cascades, const LightFeatures& sources)
     : settings_(settings),
       lightFrames_(lightFrames),
+      cascades_(cascades),
       hasObjects_(hasObjects),
       listsChange_(listsChange),
-      schedule_(settings, lightFrames),
+      schedule_(settings, lightFrames, cascades),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
       markWalls_(shaders, lightProgram("mark_walls", sources)),
@@ -113,9 +114,9 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
         carryHits_.emplace(shaders, raysProgram("carry_hits", settings, sources));
         traceMoving_.emplace(shaders, raysProgram("trace_moving", settings, sources));
     }
-    if (hasCascades) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
-    if (hasCascades) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
-    if (hasCascades) listArrived_.emplace(shaders, lightProgram("list_arrived", sources));
+    if (cascades > 1) forwardHits_.emplace(shaders, raysProgram("forward_hits", settings, sources));
+    if (cascades > 1) listVisited_.emplace(shaders, raysProgram("list_visited", settings, sources));
+    if (cascades > 1) listArrived_.emplace(shaders, lightProgram("list_arrived", sources));
     if (hasObjects) block_.emplace(shaders, raysProgram("block_rays", settings, sources));
     if (emitters_ > 0) findEmitters_.emplace(shaders, emittersProgram(sources));
 }
@@ -152,7 +153,7 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change, const Casc
 void Irradiance::invalidate() {
     unplacedCascades_ = DirectionalVoxels::allCascades;
     marksAllWalls_ = true;
-    schedule_ = LightSchedule(settings_, lightFrames_);
+    schedule_ = LightSchedule(settings_, lightFrames_, cascades_);
     capacities_ = {};
     idCapacity_ = 0;
     forwardTurns_ = forwardedCascades_ = 0;
@@ -186,7 +187,8 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
             listArrived(voxels, arrived);
         placeBricks(voxels, placed, arrived, isNew);
         const Bounds box = std::exchange(pendingBox_, noBounds);
-        linkFaces(voxels, isNew || voxels.hasDynamicObjects(), isNew || arrived.any() ? everywhere : box);
+        if (!isNew && arrived.any()) linkFaces(voxels, false, everywhere);
+        if (isNew || voxels.hasDynamicObjects()) linkFaces(voxels, true, isNew ? everywhere : box);
         if (isFirst) {
             // The bricks are counted by placing them.
             onBricksPlaced(voxels.index().readCommands());
@@ -271,7 +273,7 @@ void Irradiance::forwardHits(const DirectionalVoxels& voxels, std::uint32_t move
 }
 
 void Irradiance::findBlockedRays(const DirectionalVoxels& voxels, bool waits) {
-    runOverAll(*block_, voxels);
+    run(*block_, voxels);
     if (!waits) return;
     onRaysBlocked(voxels.index().readCommands().mostBlockedRays);
     if (blocked_ <= blockedCapacity_) return;
@@ -281,7 +283,7 @@ void Irradiance::findBlockedRays(const DirectionalVoxels& voxels, bool waits) {
     gl::BufferSubData(GL_UNIFORM_BUFFER, offsetof(shared::LightStep, blockedCapacity),
                       sizeof blockedCapacity_, &blockedCapacity_);
     voxels.index().resetBlockedRays();
-    runOverAll(*block_, voxels);
+    run(*block_, voxels);
 }
 
 void Irradiance::gather(const DirectionalVoxels& voxels, bool waits) {
@@ -291,7 +293,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, bool waits) {
     if (plan_.updatesSky) runOverAll(sky_, voxels);
     if (plan_.traces && capacities_[0] > 0) run(trace_, voxels);
     if (plan_.traces && voxels.hasDynamicObjects()) runOver(*traceMoving_, voxels, voxels.dynamicList());
-    if (block_ && (plan_.traces || plan_.updatesSky)) findBlockedRays(voxels, waits);
+    if (block_ && plan_.findsBlocked) findBlockedRays(voxels, waits);
     for (int bounce = 0; bounce < plan_.bounces; ++bounce) {
         run(gather_, voxels);
         if (plan_.refiningStep >= 0) run(refine_, voxels);
@@ -431,7 +433,8 @@ std::vector<BakedLight::Face> Irradiance::bake(const DirectionalVoxels& voxels) 
 void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
     // An object that turns may give all layers to its bricks and to those of the surface beside it.
     const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
-    const std::uint32_t moving = blocks.faceCount - std::min(blocks.staticFaces, blocks.faceCount);
+    const std::uint32_t moving = (blocks.faceCount - std::min(blocks.staticFaces, blocks.faceCount)) /
+                                 static_cast<std::uint32_t>(cascades_);
     for (std::size_t i = 0; i < brickRooms_.size(); ++i) {
         const std::uint32_t count = found.brickLayers[i];
         if (i > 0 && count == 0) continue;  // the room is not used
@@ -494,6 +497,7 @@ void Irradiance::uploadUniforms(const DirectionalVoxels& voxels, const std::vect
     values.interrupts = plan_.interrupts ? 1 : 0;
     values.endsRefinement = plan_.endsRefinement() ? 1 : 0;
     values.startsDark = plan_.startsDark ? 1 : 0;
+    values.visitedCascades = plan_.visitedCascades;
     values.bounces = allBounces ? 1.0F : 0.0F;
     std::copy(brickRooms_.begin(), brickRooms_.end(), values.bricks);
     values.firstForward = irradianceWords() * idCapacity_;

@@ -37,7 +37,7 @@ class Irradiance {
     // `lightFrames`: as in LightSchedule. `hasObjects`: objects may block the rays of static faces.
     // `listsChange`: faces get other ids, because there are dynamic objects or cascades.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
-               bool hasObjects, bool listsChange, bool hasCascades, const LightFeatures& sources);
+               bool hasObjects, bool listsChange, int cascades, const LightFeatures& sources);
 
     // The settings with as many cached rays per face as fit into a storage block of the driver, and with the
     // bits per hit that the ids need.
@@ -134,7 +134,7 @@ class Irradiance {
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const;
     // Replaces the hits of static faces that are gone, of those faces whose turn it is. `moved`: as above.
     void forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved);
-    // Lists the static faces that the next steps visit.
+    // Lists the faces that the next steps visit.
     void listVisited(const DirectionalVoxels& voxels) const;
     // Places the bricks of some cascades, a bit each, and marks the static walls beside voxels that have come
     // in. `marksAll`: all walls, or those of the faces of listArrived().
@@ -147,11 +147,12 @@ class Irradiance {
                    bool marksAll) const;
     // Lists the static faces that have others around them since voxels have come in.
     void listArrived(const DirectionalVoxels& voxels, const ArrivedVoxels& arrived) const;
-    // Links faces to those beside them: all faces in a box, or those of listArrived().
+    // Links faces to those beside them: dynamic faces and static ones in a box, or the faces of
+    // listArrived().
     void linkFaces(const DirectionalVoxels& voxels, bool visitsAll, const Bounds& box) const;
 
     GatherSettings settings_;
-    int lightFrames_;
+    int lightFrames_, cascades_;
     bool hasObjects_, listsChange_;
     LightSchedule schedule_;
     LightPlan plan_;

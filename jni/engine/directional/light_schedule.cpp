@@ -9,6 +9,9 @@ namespace {
 // With fewer steps for the bounces, the caller asks for a quick picture.
 constexpr int minFramesToRefine = 16;
 
+// With fewer steps, each visits all cascades.
+constexpr int minFramesForTurns = 8;
+
 // After a move of cascades, so many steps share the rays of one.
 constexpr int movePace = 4;
 
@@ -18,8 +21,9 @@ constexpr int firstBounces = 4;
 
 }  // namespace
 
-LightSchedule::LightSchedule(const GatherSettings& settings, int lightFrames)
+LightSchedule::LightSchedule(const GatherSettings& settings, int lightFrames, int cascades)
     : lightFrames_(lightFrames),
+      cascades_(cascades),
       refiningSteps_(lightFrames >= minFramesToRefine ? settings.refinedDirections / settings.rays : 0),
       tracingSteps_((settings.directions + settings.rays - 1) / settings.rays),
       rayBudget_(settings.rayBudget),
@@ -55,25 +59,53 @@ LightPlan LightSchedule::advance(const Change& change) {
     }
     if (stepsLeft_ > 0) --stepsLeft_;
 
-    if (isFirst || (change.any() && !change.isMove())) changedAll_ = step_;
+    const bool changesAll = isFirst || (change.any() && !change.isMove());
+    if (changesAll) {
+        changedAll_ = step_;
+        outdated_ = (1U << static_cast<unsigned>(cascades_)) - 1;
+        outdatedEmitters_ |= plan.updatesEmitters;
+    }
     const auto steps = static_cast<std::uint32_t>(lightFrames_),
                moveSteps = static_cast<std::uint32_t>(moveSteps_);
     const bool isRefining = plan.refiningStep >= 0;
     plan.visitsAll = changedAll_ != 0 && (isRefining || plan.interrupts || step_ - changedAll_ < steps);
-    plan.listsVisited = !plan.visitsAll && (change.isMove() || plan.refiningStep == 0 || visitedAll_);
+    takeTurn(plan, isFirst);
+    plan.listsVisited = !plan.visitsAll && (change.isMove() || plan.refiningStep == 0 || visitedAll_ ||
+                                            (plan.visitedCascades | visitedCascades_) != 0);
+    plan.findsBlocked = plan.traces || plan.updatesSky || plan.listsVisited || plan.visitsAll != visitedAll_;
     plan.visitsSince = isRefining || step_ < moveSteps ? 1 : step_ - moveSteps + 1;
     plan.rays = static_cast<std::uint32_t>(plan.visitsAll ? rays_ : std::max(rays_ / movePace, 1));
     visitedAll_ = plan.visitsAll;
+    visitedCascades_ = plan.visitedCascades;
     // The step of a move leaves the rays of new faces to the next one, but not twice in succession.
     plan.gathers = plan.visitsAll || plan.interrupts || !change.isMove() || !gathered_;
     gathered_ = plan.gathers;
-    if (plan.gathers && tracingStepsLeft_ > 0) --tracingStepsLeft_;
-    if (plan.gathers && emitterStepsLeft_ > 0) {
+    // Steps that visit some cascades leave the rays of others to later ones.
+    if (plan.gathers && plan.visitedCascades == 0 && tracingStepsLeft_ > 0) --tracingStepsLeft_;
+    if (plan.gathers && emitterStepsLeft_ > 0 && !plan.updatesEmitters) {
         --emitterStepsLeft_;
         plan.emitterTurns = emitterTurns;
     }
     if (plan.endsRefinement()) changedAll_ = 0;
     return plan;
+}
+
+// Chooses the cascades that a step visits after a change.
+void LightSchedule::takeTurn(LightPlan& plan, bool isFirst) {
+    if (outdated_ == 0) return;
+    if (cascades_ == 1 || lightFrames_ < minFramesForTurns || isFirst || plan.startsDark || plan.interrupts) {
+        outdated_ = 0;
+    } else {
+        do
+            turn_ = turn_ % (cascades_ - 1) + 1;
+        while ((outdated_ & ~1U) != 0 && (outdated_ >> static_cast<unsigned>(turn_) & 1U) == 0);
+        plan.visitedCascades = 1U | 1U << static_cast<unsigned>(turn_);
+        plan.visitsAll = false;
+        plan.updatesDirect = true;
+        plan.updatesEmitters = outdatedEmitters_;
+        outdated_ &= ~plan.visitedCascades;
+    }
+    if (outdated_ == 0) outdatedEmitters_ = false;
 }
 
 }  // namespace vct
