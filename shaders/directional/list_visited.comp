@@ -1,5 +1,6 @@
 // Lists the faces that the next light steps visit: static faces of some cascades, those that a move of
-// cascades has changed, and all dynamic ones. Only with cascades.
+// cascades has changed, those near moving objects, and all dynamic ones. Only with cascades.
+#include "directional/changed.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
@@ -23,7 +24,8 @@ void main() {
         if (listed.isMerged) continue;
         uint changed = faceIrradianceData[changedAt(id)];
         if (isStatic && (changed == 0u || changed < lightStep.visitsSince) &&
-            (lightStep.visitedCascades >> uint(cascadeOf(listed.voxel)) & 1u) == 0u)
+            (lightStep.visitedCascades >> uint(cascadeOf(listed.voxel)) & 1u) == 0u &&
+            isUnchanged(id, listed.voxel))
             continue;
         uint i = reserveFaces(uint(VCT_LIST_VISITED), 1u);
         if (i < commands[VCT_LIST_VISITED].faceCapacity)

@@ -14,6 +14,16 @@ void invalidateRays(uint id) {
     storeFaceMean(id, VCT_MEAN_SKY, vec4(0.0));
 }
 
+// The number of a static face's unknown rays that this step may trace. Faces that cascades have reached with
+// a move are many, and show the light of a coarser cascade meanwhile.
+uint raysInStep(uint id) {
+#if VCT_CASCADES > 1
+    if (visitsAll == 0u && faceIrradianceData[changedAt(id)] != 0u)
+        return max(lightStep.rays / VCT_MOVE_PACE, 1u);
+#endif
+    return lightStep.rays;
+}
+
 // True if a static face has the plane of a moving object as well.
 bool isMergedNow(ListedFace listed) {
     return hasFace(dynamicCellAt(listed.voxel), listed.face);
@@ -35,7 +45,7 @@ void main() {
         if (!merged && cachedHit(id, 0u) == VCT_HIT_UNKNOWN) storeFaceSight(id, FaceSight(0.0, 0u, 0u));
         FaceSight sight = faceSight(id);
         uint unknown = uint(VCT_DIRECTIONS) - min(sight.rays + sight.backs, uint(VCT_DIRECTIONS));
-        uint again = movingRaysOfFace(), number = merged ? again : min(lightStep.rays, unknown);
+        uint again = movingRaysOfFace(), number = merged ? again : min(raysInStep(id), unknown);
         if (number == 0u) continue;
         uint geometry = backsOfFaces | (merged ? allGeometry : staticGeometry);
         // The rays of a static face become known in this order, unless it has lost some.

@@ -1,5 +1,6 @@
 // The faces that a pass of a light step visits: all, or with cascades those of directional/list_visited.comp.
 #include "directional/face_lists.glsl"
+#include "directional/light_step.glsl"
 
 #if VCT_CASCADES > 1
 layout(location = VCT_UNIFORM_VISITS_ALL) uniform uint visitsAll;

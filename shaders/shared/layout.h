@@ -159,6 +159,7 @@ using glm::vec4;
 #define VCT_SHADOW_TILES 4             // 2 x 2 maps in the sun's shadow map, only with cascades
 #define VCT_SHADOW_TILE_MARGIN 0.0625  // share of a tile along each of its sides where no receiver is
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
+#define VCT_MOVE_PACE 4u               // steps that share the rays of one for faces that a move has changed
 #define VCT_FORWARD_TURNS 8u           // steps in which forward_hits.comp visits all faces
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
 // Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which

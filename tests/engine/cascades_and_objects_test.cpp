@@ -83,6 +83,8 @@ TEST(CascadesAndObjects, ShowTheLightOfANewRendererOnceNothingMoves) {
     double seconds = 0.0, x = -2.0;
     for (int frame = 1; frame <= 8; ++frame)
         walk.step(seconds += 0.05, x += 0.15);
+    // Around the box the light follows at once.
+    EXPECT_LE(walk.differenceFromNew(seconds, x), 0.034);
     walk.step(seconds += 0.5, x);
     walk.step(seconds, x, LightSteps::all);
     EXPECT_LE(walk.differenceFromNew(seconds, x), 0.01);

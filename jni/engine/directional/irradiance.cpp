@@ -164,6 +164,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     const gl::DebugGroup group("begin light step");
     const LightSchedule::Change change = std::exchange(pending_, {});
     ArrivedVoxels arrived = std::exchange(pendingVoxels_, {});
+    const Bounds box = std::exchange(pendingBox_, noBounds);
     plan_ = schedule_.advance(change);
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
@@ -186,7 +187,6 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         else if (arrived.any())
             listArrived(voxels, arrived);
         placeBricks(voxels, placed, arrived, isNew);
-        const Bounds box = std::exchange(pendingBox_, noBounds);
         if (!isNew && arrived.any()) linkFaces(voxels, false, everywhere);
         if (isNew || voxels.hasDynamicObjects()) linkFaces(voxels, true, isNew ? everywhere : box);
         if (isFirst) {
@@ -204,7 +204,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         forwardHits(voxels, change.voxelized);
         if (forwardTurns_ == 0) plan_.listsVisited = true;
     }
-    if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels);
+    if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels, box);
     if (plan_.visitsAll) placedCascades_ = DirectionalVoxels::allCascades;
     if (!findEmitters_ || !(plan_.updatesEmitters || plan_.emitterTurns > 1)) return;
     voxels.bindForRays();
@@ -233,10 +233,11 @@ void Irradiance::dispatchOverVisited(const DirectionalVoxels& voxels) const {
     voxels.index().dispatchOverFaces(plan_.visitsAll ? 0 : VCT_LIST_VISITED);
 }
 
-void Irradiance::listVisited(const DirectionalVoxels& voxels) const {
+void Irradiance::listVisited(const DirectionalVoxels& voxels, const Bounds& box) const {
     voxels.index().emptyFaceList(VCT_LIST_VISITED);
     listVisited_->use();
     gl::Uniform1ui(VCT_UNIFORM_TURNS, forwardTurns_);
+    DirectionalVoxels::setChanged(box);
     voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }

@@ -134,8 +134,9 @@ class Irradiance {
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t moved) const;
     // Replaces the hits of static faces that are gone, of those faces whose turn it is. `moved`: as above.
     void forwardHits(const DirectionalVoxels& voxels, std::uint32_t moved);
-    // Lists the faces that the next steps visit.
-    void listVisited(const DirectionalVoxels& voxels) const;
+    // Lists the faces that the next steps visit. `box`: around moving objects, whose surroundings are
+    // visited.
+    void listVisited(const DirectionalVoxels& voxels, const Bounds& box) const;
     // Places the bricks of some cascades, a bit each, and marks the static walls beside voxels that have come
     // in. `marksAll`: all walls, or those of the faces of listArrived().
     void placeBricks(const DirectionalVoxels& voxels, std::uint32_t placed, const ArrivedVoxels& arrived,

@@ -12,8 +12,7 @@ constexpr int minFramesToRefine = 16;
 // With fewer steps, each visits all cascades.
 constexpr int minFramesForTurns = 8;
 
-// After a move of cascades, so many steps share the rays of one.
-constexpr int movePace = 4;
+constexpr int movePace = VCT_MOVE_PACE;
 
 // The first steps add more bounces, so that the first picture is as bright as the later ones.
 constexpr std::uint32_t firstSteps = 2;
@@ -74,7 +73,7 @@ LightPlan LightSchedule::advance(const Change& change) {
                                             (plan.visitedCascades | visitedCascades_) != 0);
     plan.findsBlocked = plan.traces || plan.updatesSky || plan.listsVisited || plan.visitsAll != visitedAll_;
     plan.visitsSince = isRefining || step_ < moveSteps ? 1 : step_ - moveSteps + 1;
-    plan.rays = static_cast<std::uint32_t>(plan.visitsAll ? rays_ : std::max(rays_ / movePace, 1));
+    plan.rays = static_cast<std::uint32_t>(rays_);
     visitedAll_ = plan.visitsAll;
     visitedCascades_ = plan.visitedCascades;
     // The step of a move leaves the rays of new faces to the next one, but not twice in succession.
