@@ -28,7 +28,7 @@ uint placeOf(uint count) {
 // The position, counted from 1, of the sums of `count` faces that come into a cascade, which begin at 0;
 // noIds if there is no room. 0: the faces are not in that room.
 uint placeOfSums(uint count) {
-    if (list != 0u || sumsById != 0u) return 0u;
+    if (VCT_CASCADES == 1 || list != 0u || sumsById != 0u) return 0u;
     uint place = atomicAdd(takenSums, count);
     if (place + count > staticSums) return noIds;
     for (uint word = place * faceSumWords; word < (place + count) * faceSumWords; ++word)

@@ -126,6 +126,7 @@ using glm::vec4;
 #define VCT_UNIFORM_TURNS 1             // turns of forward_hits.comp, in this dispatch or left
 #define VCT_UNIFORM_VISITS_ALL 9        // 1: the pass visits all faces; 0: those of VCT_LIST_VISITED
 #define VCT_UNIFORM_CHANGED 10          // two: corners of the box in which a pose changes static faces
+#define VCT_UNIFORM_FIRST_SUMS 12       // first id that has sums, in one cube (directional/face_sums.glsl)
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
 #define VCT_UNIFORM_AXIS 0              // axis along which the triangles of a draw call are voxelized

@@ -325,8 +325,9 @@ void DirectionalVoxels::writeIndex(std::uint32_t list, std::uint32_t firstId,
 
 // Removes what the last pose has listed, and resets the lists.
 void DirectionalVoxels::resetLists(bool withStatic) {
-    clearDynamic_.use();
     if (hasDynamicObjects()) {
+        clearDynamic_.use();
+        setFirstSums();
         bindIndices();
         pagesOf(dynamicList() ^ 1U).bindImage(VCT_IMAGE_PAGES, 0, GL_WRITE_ONLY);
         index_.dispatchOverFaces(0);
@@ -435,9 +436,18 @@ void DirectionalVoxels::resolveFaces(std::uint32_t list) const {
     for (const gl::Program* program : {&resolve_, &extents_}) {
         program->use();
         gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+        setFirstSums();
         index_.dispatchOverFaces(static_cast<int>(list));
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
+}
+
+void DirectionalVoxels::setFirstSums() const {
+    if (cascades_ == 1) gl::Uniform1ui(VCT_UNIFORM_FIRST_SUMS, firstWithSums());
+}
+
+void DirectionalVoxels::setFirstSums(const MaterialPrograms& programs) const {
+    if (cascades_ == 1) programs.setUniform(VCT_UNIFORM_FIRST_SUMS, firstWithSums());
 }
 
 void DirectionalVoxels::setChanged(const Bounds& box) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 
+#include "engine/material_programs.h"
 #include "engine/voxel_pyramid.h"
 #include "scene/scene.h"
 
@@ -113,6 +114,11 @@ class DirectionalVoxels {
     const Bounds& objects() const { return objects_; }
     const Bounds& changed() const { return changed_; }
 
+    // Tells the current program, or those of materials, the first id that has sums in one cube
+    // (shaders/directional/face_sums.glsl). Cascades have no such uniform.
+    void setFirstSums() const;
+    void setFirstSums(const MaterialPrograms& programs) const;
+
     // Confines the current program, of directional/changed.glsl, to a box, volume space.
     static void setChanged(const Bounds& box);
 
@@ -142,6 +148,7 @@ class DirectionalVoxels {
 
   private:
     void resetLists(bool withStatic);
+    std::uint32_t firstWithSums() const { return sumsById_ ? 0 : capacities_[0]; }
     void makeSums(std::uint32_t staticFaces, bool byId);
     void resolveFaces(std::uint32_t list) const;
     // Dispatches the current program, of groups of 4^3 blocks, over so many layers of blocks.
