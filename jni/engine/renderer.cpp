@@ -326,8 +326,10 @@ LookUpInputs Renderer::lookUpInputs() const {
             "the look-up has no light yet; use the preset mobile or quality, and request a picture with "
             "indirect light before");
     const DirectionalVoxels& voxels = volume->voxels();
-    return {{&voxels.staticIndex(), &voxels.dynamicIndex(), &voxels.dynamicPages(), &voxels.blocks(),
-             light->bricks(), light->brickPlaces(), light->walls(), environment_ ? &*environment_ : nullptr},
+    // Pages have the index of cascades.
+    const gl::Texture* index = voxels.cascades() == 1 ? &voxels.staticIndex() : nullptr;
+    return {{index, &voxels.dynamicIndex(), &voxels.dynamicPages(), &voxels.blocks(), light->bricks(),
+             light->brickPlaces(), light->walls(), environment_ ? &*environment_ : nullptr},
             {&frameUniforms_, emitters_ ? &emitters_->uniforms() : nullptr},
             &voxels.faceData()};
 }

@@ -37,12 +37,8 @@ uint layersOf(uvec2 voxels, int axis) {
 uint layersAside(ListedFace listed, ivec3 aside) {
     ivec3 block = listed.voxel + aside;
     if (block != clampToCascade(block, listed.voxel, frame.gridSide >> VCT_BRICK_LEVEL)) return 0u;
-    uint at = blockWords(block, listed.face, false);
-    uvec2 voxels = uvec2(faceData[at], faceData[at + 1u]);
-    if (frame.hasDynamicObjects != 0) {
-        uint moving = blockWords(block, listed.face, true);
-        voxels |= uvec2(faceData[moving], faceData[moving + 1u]);
-    }
+    uvec2 voxels = blockBits(block, listed.face, false);
+    if (frame.hasDynamicObjects != 0) voxels |= blockBits(block, listed.face, true);
     return layersOf(voxels, listed.face >> 1);
 }
 

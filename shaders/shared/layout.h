@@ -175,8 +175,12 @@ using glm::vec4;
 #define VCT_FACE_SUM_WORDS 13u
 #define VCT_EMISSIVE_FACE_SUM_WORDS 16u
 #define VCT_FACE_GROUP 64u  // faces whose radiance is stored together, and whose hits are
-// Words per block of 4^3 voxels (directional/blocks.glsl).
+// Words per block of 4^3 voxels (directional/blocks.glsl), of one cube and of cascades, and words of a page
+// of cascades: the cells of the voxels, and from VCT_PAGE_BITS on their bits.
 #define VCT_BLOCK_WORDS 24u
+#define VCT_PAGED_BLOCK_WORDS 13u
+#define VCT_PAGE_BITS 64u
+#define VCT_PAGE_WORDS 76u
 // Set above the bits of a block's six faces, if list_faces.comp has to visit the block.
 #define VCT_MARKED_BLOCK 64u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
@@ -367,6 +371,12 @@ struct CommandLists {
     uint staticSums;       // room for the sums of so many static faces (directional/face_sums.glsl)
     uint takenSums;        // as many static faces wanted room there since the cascades moved last
     uint sumsById;         // 1: all static faces have sums, in the order of their ids
+    // Pages of cascades (directional/blocks.glsl): their number, those that were free after the cascades
+    // moved last, as many as blocks have wanted since then, and the position of the free ones' list.
+    uint pageCapacity;
+    uint freePages;
+    uint takenPages;
+    uint firstFreePage;
     // Layers of texels of the bricks that were placed last, also those that did not fit.
     uint brickLayers[VCT_MAX_CASCADES];
 };

@@ -79,12 +79,14 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
         return;
     }
     // Everything is voxelized twice: first to count the faces, then into lists that have room for them.
-    voxels_.reset({});
+    voxels_.reset({}, 0);
     for (;;) {
         voxelize(scene, {cascades});
-        const FaceCapacities needed = capacitiesFor(voxels_.index().readCommands());
-        if (needed == voxels_.capacities()) break;
-        voxels_.reset(needed);
+        const shared::CommandLists listed = voxels_.index().readCommands();
+        const FaceCapacities needed = capacitiesFor(listed);
+        const std::uint32_t pages = pagesFor(listed);
+        if (needed == voxels_.capacities() && pages == voxels_.pageCapacity()) break;
+        voxels_.reset(needed, pages);
     }
     voxels_.shrinkSums();
     cascades_ = cascades;
@@ -165,16 +167,25 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
     return capacities;
 }
 
+std::uint32_t DirectionalVolume::pagesFor(const shared::CommandLists& found) const {
+    if (!hasCascades_) return 0;
+    const std::uint32_t wanted = found.pageCapacity - found.freePages + found.takenPages;
+    const bool runsOut = wanted + found.pageCapacity / 32 > found.pageCapacity;
+    return std::max(voxels_.pageCapacity(), runsOut ? wanted + wanted / 16 + 64 : 0);
+}
+
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     const FaceCapacities capacities = capacitiesFor(found);
+    const std::uint32_t pages = pagesFor(found);
+    const bool isSame = capacities == voxels_.capacities() && pages == voxels_.pageCapacity();
     // The next move may bring twice as many faces.
     const bool missSums = found.takenSums > found.staticSums;
     if (2 * found.takenSums > found.staticSums) voxels_.reserveSums(2 * found.takenSums);
-    if (capacities == voxels_.capacities() && !missSums) return false;
+    if (isSame && !missSums) return false;
     // If something did not fit, all is voxelized again. Faces that were there keep their light.
-    isIncomplete_ |= found.unplacedFaces > 0 || missSums ||
+    isIncomplete_ |= found.unplacedFaces > 0 || found.takenPages > found.freePages || missSums ||
                      found.lists[VCT_BRICK_LEVEL].faceCount > voxels_.capacities()[VCT_BRICK_LEVEL];
-    if (capacities != voxels_.capacities()) voxels_.grow(capacities);
+    if (!isSame) voxels_.grow(capacities, pages);
     if (isIncomplete_ || hasDynamic_) cachedFor_.reset();
     return true;
 }

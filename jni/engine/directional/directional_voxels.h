@@ -87,8 +87,11 @@ class DirectionalVoxels {
     const gl::Texture& dynamicIndex() const { return indexOf(dynamicList()); }
     const gl::Texture& dynamicPages() const { return pagesOf(dynamicList()); }
 
+    // Number of pages of cascades, for blocks with static faces (shaders/directional/blocks.glsl).
+    std::uint32_t pageCapacity() const { return pageCapacity_; }
+
     // Clears everything, and allocates buffers for these capacities.
-    void reset(const FaceCapacities& capacities);
+    void reset(const FaceCapacities& capacities, std::uint32_t pages);
     // Marks the listed voxels and faces as static. The lists return to these counts for each pose.
     void markStatic() const;
     // Leaves room for the sums of the static faces that a move brings, once all of them or those of a long
@@ -97,7 +100,7 @@ class DirectionalVoxels {
     void reserveSums(std::uint32_t staticFaces);
     // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
     // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
-    void grow(const FaceCapacities& capacities);
+    void grow(const FaceCapacities& capacities, std::uint32_t pages);
     // Removes the dynamic objects of the last pose.
     void beginPose();
     // The same after cascades have moved: faces that a cascade has left are removed as well, and those that
@@ -159,6 +162,7 @@ class DirectionalVoxels {
     void writeIndex(std::uint32_t list, std::uint32_t firstId,
                     const std::vector<std::uint32_t>& entries) const;
     std::uint32_t firstFaceWord() const;
+    std::uint32_t blockCount() const;
     std::size_t words() const;
 
     int cascades_;
@@ -170,6 +174,7 @@ class DirectionalVoxels {
     bool sumsById_ = true;
     std::uint32_t sumCapacity_ = 0;  // static faces that a move may bring
     FaceCapacities capacities_{};
+    std::uint32_t pageCapacity_ = 0;
     std::uint32_t pose_ = 0;
     Bounds objects_ = noBounds, changed_ = noBounds;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
