@@ -5,7 +5,8 @@
 // ones.
 //
 // Few blocks of cascades have static faces. Each of those has a page elsewhere in the buffer: the cell of
-// each voxel (directional/index.glsl), and the words of the static voxels. The block has the position of its
+// each voxel (directional/index.glsl), the words of the static voxels, and the static walls
+// (directional/walls.glsl). The block has the position of its
 // page, behind the words of the dynamic voxels. While static geometry is listed, these mark its faces.
 #include "directional/cascades.glsl"
 

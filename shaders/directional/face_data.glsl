@@ -45,6 +45,13 @@ uvec2 blockBits(ivec3 block, int face, bool isDynamic) {
     return uvec2(faceData[at], faceData[at + 1u]);
 }
 
+// The position of a word for the static walls of a brick; 0 if the block has no static face, so that only
+// those of moving objects are known there. Only with cascades.
+uint staticWallAt(ivec3 block, int face, int slot) {
+    uint page = faceData[pageAt(numberOfBlock(block))];
+    return page == 0u ? 0u : page + VCT_PAGE_WALLS + uint(2 * face + slot);
+}
+
 // The id at which a face's surface is (directional/resolved.glsl). `isStatic`: of the static geometry alone.
 uint surfaceId(uint staticCell, uint dynamicCell, int face, bool isStatic) {
     bool isShared = hasFace(staticCell, face) && hasFace(dynamicCell, face);

@@ -16,8 +16,7 @@ void main() {
             faceData[freshAt(id)] = 0u;
             faceData[goneAt(id)] = turnsLeft == 0u ? 0u : faceData[goneAt(id)] & ~fresh;
         }
-        uint changed = faceIrradianceData[changedAt(id)];
-        if (changed == 0u || changed < lightStep.visitsSince || baseFace(id).isMerged) continue;
+        if (!hasChangedSince(id, lightStep.visitsSince - 1u) || baseFace(id).isMerged) continue;
         uint i = reserveFaces(uint(VCT_LIST_VISITED), 1u);
         if (i < commands[VCT_LIST_VISITED].faceCapacity)
             faceData[commands[VCT_LIST_VISITED].firstFace + i] = id;

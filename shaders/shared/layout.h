@@ -176,11 +176,13 @@ using glm::vec4;
 #define VCT_EMISSIVE_FACE_SUM_WORDS 16u
 #define VCT_FACE_GROUP 64u  // faces whose radiance is stored together, and whose hits are
 // Words per block of 4^3 voxels (directional/blocks.glsl), of one cube and of cascades, and words of a page
-// of cascades: the cells of the voxels, and from VCT_PAGE_BITS on their bits.
+// of cascades: the cells of the voxels, from VCT_PAGE_BITS on their bits, and from VCT_PAGE_WALLS on two
+// words for the thin walls across each face of the block.
 #define VCT_BLOCK_WORDS 24u
 #define VCT_PAGED_BLOCK_WORDS 13u
 #define VCT_PAGE_BITS 64u
-#define VCT_PAGE_WORDS 76u
+#define VCT_PAGE_WALLS 76u
+#define VCT_PAGE_WORDS 88u
 // Set above the bits of a block's six faces, if list_faces.comp has to visit the block.
 #define VCT_MARKED_BLOCK 64u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
@@ -190,14 +192,17 @@ using glm::vec4;
 // Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without compact
 // emitters. With them, the words from VCT_FACE_SEEN_WORD on hold what the face sees of the emitters' parts,
 // VCT_SEEN_PARTS to a word.
-#define VCT_FACE_IRRADIANCE_WORDS 22u
-#define VCT_FACE_SEEN_WORD 24u
+#define VCT_FACE_IRRADIANCE_WORDS 20u
+#define VCT_FACE_SEEN_WORD 21u
 #define VCT_SEEN_PARTS 8
 // The first of the two words of the light that pixels see.
 #define VCT_FACE_SHOWN_WORD 4u
-// The first of the five words that depend on what the cached rays have hit, and the last of them.
+// The first of the three words that depend on what the cached rays have hit, and the last of them.
 #define VCT_FACE_SKY_WORD 12u
-#define VCT_FACE_SIGHT_WORD 16u
+#define VCT_FACE_SIGHT_WORD 14u
+// The word with the counts of the blocked rays, and the bits of it that are not of these.
+#define VCT_FACE_BLOCKED_COUNTS_WORD 17u
+#define VCT_FACE_NOT_BLOCKED 0x80003F00u
 // The hit of a cached ray: a face, or one of these. Above them, in the highest of the bits of a hit, a bit is
 // set if the ray is shorter than the distance of ambient occlusion.
 #define VCT_HIT_UNKNOWN 0u  // the ray has not been traced
@@ -305,9 +310,8 @@ struct LightStep {
     uint endsRefinement;   // 1: the step is the last one of a refinement
     uint startsDark;       // 1: no face had light before its first rays
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
-    uint unusedWord;
-    uint firstForward;     // words of the buffer where the faces' next ids or last changes begin,
-    uint firstHit;         // the hits,
+    uint unusedWord0, unusedWord1;
+    uint firstHit;         // words of the buffer where the hits begin,
     uint firstBlocked;     // and the blocked rays
     uint blockedCapacity;  // room for so many
     uint objectCount;      // moving objects

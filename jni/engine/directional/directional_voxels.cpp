@@ -222,11 +222,11 @@ void DirectionalVoxels::shrinkSums() {
         faceSums_ = {};
         return;
     }
-    // One cascade moves at a time, by an eighth of its side along one axis or more. It has room for half of
-    // its faces, because they lie unevenly.
+    // One cascade moves at a time, by an eighth of its side along one axis or more. It has room for a third
+    // of its faces, because they lie unevenly.
     if (cascades_ > 1)
         sumCapacity_ =
-            std::max(sumCapacity_, capacities_[0] / (2 * static_cast<std::uint32_t>(cascades_)) + 256);
+            std::max(sumCapacity_, capacities_[0] / (3 * static_cast<std::uint32_t>(cascades_)) + 256);
     makeSums(sumCapacity_, false);
 }
 
