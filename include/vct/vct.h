@@ -211,7 +211,7 @@ struct GBufferTextures {
     unsigned normal = 0;  // GL_RG16UI: xy of encodeNormals(); world space, towards the viewer
     unsigned depth = 0;   // GL_DEPTH_COMPONENT32F or GL_DEPTH_COMPONENT24, by View; 1 if there is no surface
     // These are 0 if the scene has no such materials:
-    unsigned emission = 0;  // GL_RGBA16F: radiance / GlobalIllumination::radianceUnit()
+    unsigned emission = 0;  // GL_RGBA16F or GL_R11F_G11F_B10F: radiance / GlobalIllumination::radianceUnit()
     unsigned gloss = 0;     // GL_RG8: metallic, roughness
 };
 

@@ -445,7 +445,8 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
     requireTarget(gBuffer.albedo, "albedo", size, {GL_RGBA8});
     requireTarget(gBuffer.normal, "normal", size, {GL_RG16UI});
     requireTarget(gBuffer.depth, "depth", size, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24});
-    if (gBuffer.emission != 0) requireTarget(gBuffer.emission, "emission", size, {GL_RGBA16F});
+    if (gBuffer.emission != 0)
+        requireTarget(gBuffer.emission, "emission", size, {GL_RGBA16F, GL_R11F_G11F_B10F});
     if (gBuffer.gloss != 0) requireTarget(gBuffer.gloss, "gloss", size, {GL_RG8});
     for (const int unit : {VCT_TEX_G_ALBEDO, VCT_TEX_G_NORMAL, VCT_TEX_G_DEPTH, VCT_TEX_G_EMISSIVE})
         implementation.plain->bind(unit);

@@ -33,7 +33,7 @@ struct LightFeatures {
     bool punctual = false;      // punctual lights (passes/punctual_lights.h)
     bool environment = false;   // a sky that depends on direction (environment.h)
     int emitters = 0;           // compact emitters (emitters.h): words per face for what it sees of them
-    bool emission = false;      // surfaces that emit light
+    bool emission = false;      // surfaces that emit light and are no compact emitters, so voxels have it
     bool softPunctual = false;  // punctual lights have a size of their own (PunctualLight::size)
 };
 // The defines of shaders that gather light.

@@ -60,6 +60,18 @@ std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume
     return Emitters(scene, parts, volume, radianceUnit);
 }
 
+// True if surfaces emit light, or may later, that are no compact emitters.
+bool hasOtherEmitters(const Scene& scene, const std::optional<Emitters>& emitters) {
+    const SceneFeatures features = featuresOf(scene);
+    if (features.materialsChange) return features.has(featureEmissive);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Material& material = scene.materials[scene.meshes[scene.instances[i].mesh].material];
+        const bool isCompact = emitters && emitters->instances().at(i);
+        if (material.emissive != glm::vec3(0.0F) && !isCompact) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
@@ -80,6 +92,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       voxelizedCascades_(cascades_),
       softLights_(std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), hasSize)),
       emitters_(compactEmitters(scene, finestVoxels(volume_, settings.cascades), settings, radianceUnit_)),
+      hasEmission_(hasOtherEmitters(scene, emitters_)),
       scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,
              radianceUnit_, capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
@@ -257,7 +270,7 @@ SceneState Renderer::state() const {
 
 LightFeatures Renderer::lightFeatures() const {
     return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_ ? emitters_->words() : 0,
-            scene_.features().has(featureEmissive), softLights_};
+            hasEmission_, softLights_};
 }
 
 GBuffer& Renderer::gBuffer() {
@@ -326,8 +339,10 @@ LookUpInputs Renderer::lookUpInputs() const {
             "the look-up has no light yet; use the preset mobile or quality, and request a picture with "
             "indirect light before");
     const DirectionalVoxels& voxels = volume->voxels();
-    return {{&voxels.staticIndex(), &voxels.dynamicIndex(), &voxels.dynamicPages(), &voxels.blocks(),
-             light->bricks(), light->brickPlaces(), light->walls(), environment_ ? &*environment_ : nullptr},
+    // Pages have the index of cascades.
+    const gl::Texture* index = voxels.cascades() == 1 ? &voxels.staticIndex() : nullptr;
+    return {{index, &voxels.dynamicIndex(), &voxels.dynamicPages(), &voxels.blocks(), light->bricks(),
+             light->brickPlaces(), light->walls(), environment_ ? &*environment_ : nullptr},
             {&frameUniforms_, emitters_ ? &emitters_->uniforms() : nullptr},
             &voxels.faceData()};
 }

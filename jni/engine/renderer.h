@@ -196,6 +196,7 @@ class Renderer {
     Cascades cascades_, voxelizedCascades_;  // their places in this frame, and in the last one with voxels
     bool softLights_;                        // a punctual light has a size of its own
     std::optional<Emitters> emitters_;       // compact emitters; directional voxels only
+    bool hasEmission_;                       // LightFeatures::emission
     GpuScene scene_;
     std::optional<Pose> nextPose_;
     glm::vec2 pictureShift_{0.0F};

@@ -74,9 +74,9 @@ gl::ProgramDescription packedClearProgram() {
 VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity, Kind kind,
                            int cascades)
     : grid_(grid),
-      cascades_(cascades),
+      depth_(cascades == 1 ? grid : 1),
       levels_(levelsOf(grid, kind)),
-      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid * cascades, levelsOf(grid, kind))),
+      texture_(gl::Texture::make3d("voxels", GL_R32UI, depth_, depth_, depth_, levelsOf(grid, kind))),
       initialCommands_(makeInitialCommands(grid, baseCapacity, kind, cascades)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),

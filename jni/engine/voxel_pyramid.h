@@ -19,7 +19,8 @@ class VoxelPyramid {
     enum class Kind {
         // The texture holds the packed voxels with all mip levels.
         packed,
-        // The texture holds the index of the base level's faces (shaders/directional/face_lists.glsl).
+        // The texture holds the index of the base level's faces (shaders/directional/index.glsl). With
+        // cascades pages have it, and the texture is one texel.
         staticFaces,
         // The same for the static geometry; dynamic objects have separate lists.
         staticAndDynamicFaces,
@@ -32,7 +33,7 @@ class VoxelPyramid {
                  Kind kind = Kind::packed, int cascades = 1);
 
     Resources resources() const;
-    // Bytes of the texture and of the lists.
+    // Bytes of the texture and of the lists. Of cascades, at most.
     static std::size_t bytesFor(int grid, std::uint32_t baseCapacity, Kind kind = Kind::packed,
                                 int cascades = 1);
 
@@ -46,7 +47,7 @@ class VoxelPyramid {
     // before and after.
     void clear();
     // Clears the whole texture.
-    void clearTexture() const { gl::clearTexture3d(texture_, grid_ * cascades_); }
+    void clearTexture() const { gl::clearTexture3d(texture_, depth_); }
 
     // The commands of empty lists.
     const shared::CommandLists& initialCommands() const { return initialCommands_; }
@@ -83,7 +84,7 @@ class VoxelPyramid {
     // Dispatches the current compute program by the command at an offset of commands_, in bytes.
     void dispatch(std::size_t offset) const;
 
-    int grid_, cascades_, levels_;
+    int grid_, depth_, levels_;  // depth of the texture
     gl::Texture texture_;
     shared::CommandLists initialCommands_;
     gl::Buffer commands_, activeVoxels_;

@@ -23,6 +23,7 @@ std::size_t texelBytes(GLenum format) {
         case GL_RG16UI:
         case GL_RG16F:
         case GL_R32UI:
+        case GL_R11F_G11F_B10F:
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32F:
             return 4;

@@ -32,9 +32,10 @@ std::vector<FrameProgram> programsOf(const Settings& settings, Output mode, cons
         programs.push_back({step, program});
     };
     const ExtraTargets targets = extraTargets(features, settings.voxels);
-    const bool emission = features.has(featureEmissive);
+    const bool isEmissive = features.has(featureEmissive),
+               emission = isEmissive && (features.materialsChange || !compactEmitters);
     const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
-                               settings.voxels == Voxels::directional && emission && compactEmitters,
+                               settings.voxels == Voxels::directional && isEmissive && compactEmitters,
                                emission};
     const OutputReads& read = reads(mode);
     if (read.shadowMap())
@@ -164,6 +165,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
     for (const Settings& settings : everySettings())
         for (const SceneFeatures& scene : scenes) {
             addFrames(settings, scene, Voxelization::sortedAxes, true);
+            SceneFeatures changing = scene;
+            changing.materialsChange = true;
+            addFrames(settings, changing, Voxelization::sortedAxes, true);
             if (settings.voxels == Voxels::packed)
                 addFrames(settings, scene, Voxelization::geometryShader, true);
             else

@@ -40,6 +40,7 @@ SceneFeatures featuresOf(const Scene& scene) {
     }
     for (std::size_t i = 0; scene.materialsChange && i < scene.materials.size(); ++i)
         materials.insert(static_cast<int>(i));
+    found.materialsChange = scene.materialsChange || scene.instanceRoom > 0;
     const auto moves = [](const auto& light) { return light.node >= 0; };
     found.movingLight = std::any_of(scene.lights.begin(), scene.lights.end(), moves) ||
                         std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), moves);

@@ -41,6 +41,7 @@ struct SceneFeatures {
     bool movingObjects = false;      // an animation moves an instance
     bool deforms = false;            // an animation deforms a mesh
     bool movingLight = false;        // an animation moves a light
+    bool materialsChange = false;    // instances may get other materials, or be added
 
     // True if any material has this feature.
     bool has(MaterialFeature feature) const;

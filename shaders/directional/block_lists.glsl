@@ -7,7 +7,7 @@ struct Mark {
 };
 Mark markOf(ivec3 voxel, bool isDynamic) {
     uint place = bitInBlock(voxel);
-    return Mark(blockWords(voxel >> VCT_BRICK_LEVEL, 0, isDynamic) + (place >> 5u), 1u << (place & 31u));
+    return Mark(markWords(voxel >> VCT_BRICK_LEVEL, 0, isDynamic) + (place >> 5u), 1u << (place & 31u));
 }
 // Marks the faces of a voxel in its block. Returns true unless all of them are marked already.
 bool markInBlock(ivec3 voxel, uint faces, bool isDynamic) {
@@ -37,13 +37,18 @@ void unmarkInBlock(ivec3 voxel, bool isDynamic) {
 
 // The word with the bits of a block's faces, and their position in it.
 uint maskAt(ivec3 block, out uint shift) {
-    uint side = uint(frame.gridSide) >> uint(VCT_BRICK_LEVEL);
-    uint place = uint(block.x) + side * (uint(block.y) + side * uint(block.z));
+    uint place = numberOfBlock(block);
     shift = 8u * (place & 3u);
     return commands[VCT_BRICK_LEVEL].firstMask + place / 4u;
 }
-// Appends a block to those whose marked faces list_faces.comp lists, unless it is one of them.
-void markBlock(ivec3 block) {
+// The position of a free page; 0 if there is none. No pass takes pages and gives others back.
+uint takePage() {
+    uint i = atomicAdd(takenPages, 1u);
+    return i < freePages ? faceData[firstFreePage + freePages - 1u - i] : 0u;
+}
+// Appends a block to those whose marked faces list_faces.comp lists, unless it is one of them. The invocation
+// that does so also takes the block's page, which has no cells before list_faces.comp.
+void markBlock(ivec3 block, bool isDynamic) {
     const uint level = uint(VCT_BRICK_LEVEL);
     uint shift, at = maskAt(block, shift), mark = VCT_MARKED_BLOCK << shift;
     if ((faceData[at] & mark) != 0u || (atomicOr(faceData[at], mark) & mark) != 0u) return;
@@ -51,6 +56,8 @@ void markBlock(ivec3 block) {
     activeVoxels[commands[level].firstEntry + i] = packEntry(uvec3(block));
     const uint perGroup = uint(VCT_LIST_GROUP) / uint(VCT_BRICK_SIDE);  // an invocation per layer
     if (i % perGroup == 0u && i / perGroup < VCT_MAX_GROUPS) atomicAdd(commands[level].groupsX, 1u);
+    uint page = pageAt(numberOfBlock(block));
+    if (cascades > 1 && !isDynamic && faceData[page] == 0u) faceData[page] = takePage();
 }
 void listOfBlock(ivec3 block, uint faces) {
     uint i = faces == 0u ? 0u : reserveFaces(uint(VCT_BRICK_LEVEL), uint(bitCount(faces)));

@@ -93,16 +93,17 @@ void main() {
         // The rays of merged faces meet moving objects as they are traced.
         if (listed.isMerged || (faceIrradianceData[at + 1u] & wasMerged) != 0u) continue;
         FaceRays rays = raysOf(listed, id);
-        // The rays that pass an object come first, and then their hits.
+        // The rays that pass an object come first, and then their hits. The sky needs two more words.
         uint passing[rayWords] = raysPastObjects(rays);
         uint blocked = 0u;
         for (int w = 0; w < rayWords; ++w)
             blocked += uint(bitCount(passing[w]));
         uint first = 0u, found = 0u, backs = 0u;
         if (blocked > 0u) {
-            first = atomicAdd(blockedRays, blocked);
-            atomicMax(mostBlockedRays, first + blocked);
-            if (first + blocked > lightStep.blockedCapacity) blocked = 0u;
+            uint words = blocked + 2u;
+            first = atomicAdd(blockedRays, words);
+            atomicMax(mostBlockedRays, first + words);
+            if (first + words > lightStep.blockedCapacity) first = blocked = 0u;
         }
         float rayCount = float(faceSight(id).rays);
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * rayCount;
@@ -123,8 +124,10 @@ void main() {
                 else
                     ++backs;
             }
-        faceIrradianceData[at] = lightStep.firstBlocked + first;
+        storeFirstBlocked(id, first);
         storeBlockedCounts(id, found, backs, false);
-        storeFaceMean(id, VCT_MEAN_SKY_NOW, max(sky, 0.0) / max(rayCount - float(backs), 1.0));
+        if (found > 0u)
+            storeMean(lightStep.firstBlocked + first + found,
+                      max(sky, 0.0) / max(rayCount - float(backs), 1.0));
     }
 }

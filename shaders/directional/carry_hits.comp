@@ -54,7 +54,6 @@ void main() {
         FaceSight sight = faceSight(id);
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * (float(sight.rays) / max(float(known), 1.0));
         storeFaceMean(id, VCT_MEAN_SKY, sky);
-        storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);
         sight.rays = known;
         sight.backs = backs;
         storeFaceSight(id, sight);

@@ -69,12 +69,11 @@ void main() {
             bool isKept = isSame || from != 0u && word < VCT_MEAN_REFINED;
             faceIrradianceData[to + word] = isKept ? value : 0u;
         }
-        for (uint word = VCT_MEAN_SKY; word < VCT_MEAN_SKY_NOW; ++word) {
+        for (uint word = VCT_MEAN_SKY; word < VCT_FACE_SIGHT; ++word) {
             uint value = faceIrradianceData[old + word];
             faceIrradianceData[to + word] = from != 0u && !isStatic ? value : 0u;
         }
         // The rays of a new static face are unknown, but those of the coarser one tell how near surfaces are.
-        if (isStatic) storeFaceMean(id, VCT_MEAN_SKY_NOW, vec4(0.0));
         uint sight = faceIrradianceData[old + VCT_FACE_SIGHT];
         faceIrradianceData[to + VCT_FACE_SIGHT] = from == 0u ? 0u : isStatic ? sight & 0xFFFFu : sight;
         for (uint word = VCT_FACE_BLOCKED + 1u; word < VCT_IRRADIANCE_WORDS; ++word)
@@ -84,7 +83,9 @@ void main() {
 #endif
         if (isSame) faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
         if (isStatic) {
-            faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
+#if VCT_CASCADES > 1
+            storeChangedNow(id);
+#endif
             for (uint quad = 0u; quad < uint(VCT_DIRECTIONS) / 4u; ++quad)
                 storeCachedHits(id, quad, uvec4(VCT_HIT_UNKNOWN));
         } else {

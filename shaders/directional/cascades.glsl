@@ -37,17 +37,6 @@ bool isNearArrived(ivec3 place, int size, uvec2 arrived, int reach) {
     return moved.x && isNear.x || moved.y && isNear.y || moved.z && isNear.z;
 }
 
-// The place at which the static walls of a block are stored. Places wrap around along each axis, so that
-// blocks keep theirs while a cascade moves.
-ivec3 wrappedBlock(ivec3 block) {
-    if (cascades == 1) return block;
-    int side = frame.gridSide >> VCT_BRICK_LEVEL;
-    ivec3 first = firstOfCascade(block, side);
-    vec4 cube = frame.cascade[block.z / side];
-    ivec3 inWorld = block - first + (ivec3(cube.xyz * cube.w + 0.5) >> VCT_BRICK_LEVEL);
-    return first + inWorld - inWorld / side * side;
-}
-
 // The voxel nearest to `wanted` in the cascade of `voxel`.
 ivec3 clampToCascade(ivec3 wanted, ivec3 voxel, int side) {
     ivec3 first = firstOfCascade(voxel, side);

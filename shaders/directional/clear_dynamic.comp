@@ -15,7 +15,7 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < max(lastCount, olderCount); i += stride) {
         if (i < lastCount) {
             ListedFace listed = listedFace(last, i);
-            uint bits = blockWords(listed.voxel >> VCT_BRICK_LEVEL, listed.face, true);
+            uint bits = markWords(listed.voxel >> VCT_BRICK_LEVEL, listed.face, true);
             faceData[bits] = 0u;
             faceData[bits + 1u] = 0u;
             uint id = commands[last].firstId + i;

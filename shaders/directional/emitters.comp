@@ -30,7 +30,7 @@ bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
 // After a move of cascades, faces that have taken over the light of another one take turns.
 bool isDue(uint id) {
     if (lightStep.emitterTurns == 1u) return true;
-    float known = faceMean(id, VCT_FACE_EMITTERS).a;
+    uint known = knownEmitters(id);
     bool isInTurn = (id >> 5u) % lightStep.emitterTurns == lightStep.frame % lightStep.emitterTurns;
     return known == emittersUnknown || known == emittersTakenOver && isInTurn;
 }
@@ -71,6 +71,6 @@ void main() {
             }
             sum += share * seen.light;
         }
-        storeFaceMean(id, VCT_FACE_EMITTERS, vec4(sum, emittersKnown));
+        storeEmitterIrradiance(id, sum, emittersKnown);
     }
 }

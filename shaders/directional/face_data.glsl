@@ -9,8 +9,8 @@
 #include "directional/face_words.glsl"
 
 layout(std430, binding = VCT_SSBO_FACES) buffer FaceBlock {
-    uint faceData[];  // blocks' words, faces' words by id, the lists, and a bit per occupied face of each
-                      // block
+    uint faceData[];  // blocks' words, faces' words by id, the lists, a bit per occupied face of each block,
+                      // and the blocks' pages
 };
 
 #define VCT_FACE_SURFACE 0u      // packSurface()
@@ -32,6 +32,24 @@ uint radianceAt(uint id) {
 // The position of a face's other words.
 uint faceAt(uint id) {
     return allBlockWords() + faceWord(id, faceWords);
+}
+
+// The bits of a block's voxels that have a face.
+uvec2 blockBits(ivec3 block, int face, bool isDynamic) {
+    uint at = markWords(block, face, isDynamic);
+    if (cascades > 1 && !isDynamic) {
+        uint page = faceData[pageAt(numberOfBlock(block))];
+        if (page == 0u) return uvec2(0u);
+        at = page + VCT_PAGE_BITS + uint(2 * face);
+    }
+    return uvec2(faceData[at], faceData[at + 1u]);
+}
+
+// The position of a word for the static walls of a brick; 0 if the block has no static face, so that only
+// those of moving objects are known there. Only with cascades.
+uint staticWallAt(ivec3 block, int face, int slot) {
+    uint page = faceData[pageAt(numberOfBlock(block))];
+    return page == 0u ? 0u : page + VCT_PAGE_WALLS + uint(2 * face + slot);
 }
 
 // The id at which a face's surface is (directional/resolved.glsl). `isStatic`: of the static geometry alone.

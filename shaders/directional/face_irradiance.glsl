@@ -1,11 +1,12 @@
 // The irradiance of each base-level face, by the face's id, relative to E, the irradiance of a surface that
-// faces the sun, and the faces that its rays hit. The buffer has, in this order: the words of the faces, a
-// word per id (forwardAt(), changedAt()), and the hits.
+// faces the sun, and the faces that its rays hit. The buffer has, in this order: the words of the faces, the
+// hits, and the rays that moving objects block.
 //
 // A face keeps what its VCT_DIRECTIONS cached rays have hit. In each step the mean of the hits' radiance is
 // its irradiance `now`. A few rays are noisy from face to face, but the noise does not change as long as the
 // hits are the same. Two means remove it: one over the neighbouring faces, whose rays have other directions
 // (directional/smooth.comp), and at rest one over many more rays, which are not kept (the refined mean).
+#include "directional/face_words.glsl"
 #include "directional/light_step.glsl"
 #include "shared/layout.h"
 
@@ -21,13 +22,12 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 #define VCT_MEAN_KNOWN 8u                   // `smooth` at that time
 #define VCT_MEAN_GAIN 10u  // of the present refinement's rays so far, less `now` in the same steps
 #define VCT_MEAN_SKY \
-    VCT_FACE_SKY_WORD         // the sky's part of `now` without moving objects, and ambient visibility
-#define VCT_MEAN_SKY_NOW 14u  // the same with moving objects
+    VCT_FACE_SKY_WORD  // the sky's part of `now` without moving objects, and ambient visibility
 #define VCT_FACE_SIGHT VCT_FACE_SIGHT_WORD  // FaceSight
-#define VCT_FACE_DIRECT 17u                 // packRgb9e5(), emission and reflected direct light
-#define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; storeBlockedCounts()
-#define VCT_FACE_ROW 20u                    // two words: mean of `now` over a row of neighbouring faces
-#define VCT_FACE_EMITTERS 22u               // two words: irradiance by the compact emitters
+#define VCT_FACE_DIRECT 15u                 // packRgb9e5(), emission and reflected direct light
+#define VCT_FACE_BLOCKED 16u                // of a static face firstBlockedOf(), of a dynamic one forwardAt()
+#define VCT_FACE_ROW 18u                    // two words: mean of `now` over a row of neighbouring faces
+#define VCT_FACE_EMITTERS 20u               // packRgb9e5(), irradiance by the compact emitters
 // Visible share of the emitters' parts, 4 bits each. VCT_EMITTERS: the number of words.
 #define VCT_FACE_SEEN_PARTS VCT_FACE_SEEN_WORD
 #ifdef VCT_EMITTERS
@@ -48,15 +48,19 @@ const uint codeShift = 33u - uint(VCT_HIT_BITS);  // moves a hit's highest bit o
 // Upper limit of stored light. The largest half float is 65504.
 const float maxStoredLight = 6e4;
 
-vec4 faceMean(uint id, uint mean) {
-    uint at = irradianceAt(id) + mean;
+vec4 meanFrom(uint at) {
     return vec4(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(faceIrradianceData[at + 1u]));
 }
-void storeFaceMean(uint id, uint mean, vec4 value) {
-    uint at = irradianceAt(id) + mean;
+vec4 faceMean(uint id, uint mean) {
+    return meanFrom(irradianceAt(id) + mean);
+}
+void storeMean(uint at, vec4 value) {
     value = clamp(value, -maxStoredLight, maxStoredLight);
     faceIrradianceData[at] = packHalf2x16(value.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(value.ba);
+}
+void storeFaceMean(uint id, uint mean, vec4 value) {
+    storeMean(irradianceAt(id) + mean, value);
 }
 
 // The mean over a row of faces and the sum of their weights, up to 4. Ambient visibility has 12 bits, and the
@@ -157,28 +161,50 @@ void storeCachedHit(uint id, uint direction, uint hit) {
 #endif
 // The position of the id, counted from 1, that a dynamic face has in the next pose.
 uint forwardAt(uint id) {
-    return lightStep.firstForward + id;
+    return irradianceAt(id) + VCT_FACE_BLOCKED;
 }
-// The position of the step, counted from 1, in which a static face was new or lost hits; 0 if its mean has
-// been refined since.
-uint changedAt(uint id) {
-    return lightStep.firstForward + id;
+// The position of a static face's blocked rays. With cascades, the step in which the face was new or lost
+// hits is above it, modulo changeSteps and counted from 1; 0 if its mean has been refined since.
+const uint changeShift = 22u, changeSteps = 1023u,
+           blockedMask = VCT_CASCADES > 1 ? (1u << changeShift) - 1u : 0xFFFFFFFFu;
+uint stampOf(uint step) {
+    return step % changeSteps + 1u;
+}
+void storeChange(uint id, uint stamp) {
+    uint at = irradianceAt(id) + VCT_FACE_BLOCKED;
+    faceIrradianceData[at] = faceIrradianceData[at] & blockedMask | stamp << changeShift;
+}
+void storeChangedNow(uint id) {
+    storeChange(id, stampOf(lightStep.frame));
+}
+bool hasChangedSince(uint id, uint step) {
+    uint stamp = faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED] >> changeShift;
+    uint age = (stampOf(lightStep.frame) + changeSteps - stamp) % changeSteps;
+    return stamp != 0u && age <= lightStep.frame - step;
+}
+uint firstBlockedOf(uint id) {
+    return lightStep.firstBlocked + (faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED] & blockedMask);
+}
+void storeFirstBlocked(uint id, uint first) {
+    uint at = irradianceAt(id) + VCT_FACE_BLOCKED;
+    faceIrradianceData[at] = faceIrradianceData[at] & ~blockedMask | first;
 }
 
-// A cached ray that a moving object blocks: its direction, and what it hits in place of its cached hit.
+// A cached ray that a moving object blocks: its direction, and what it hits in place of its cached hit. The
+// sky's part of `now` follows the last one of a face.
 uint packBlocked(uint direction, uint hit) {
     return direction << 24u | hit;
 }
 
 // The number of blocked rays and of those among them that meet a back; whether the face had the plane of a
-// moving object, as where one touches a static surface, so that its hits are of a plane that moves; and the
-// links to the faces beside it (directional/link_faces.comp): bits for the faces before and behind it along
-// the first axis across the face, and along the second.
-const uint wasMerged = 0x80000000u, linkBits = 0x0F00u;
+// moving object, as where one touches a static surface, so that its hits are of a plane that moves; the links
+// to the faces beside it (directional/link_faces.comp): bits for the faces before and behind it along the
+// first axis across the face, and along the second; and whether the light of emitters is known.
+const uint wasMerged = 0x80000000u, linkBits = 0x0F00u, emitterBits = 0x3000u;
 void storeBlockedCounts(uint id, uint rays, uint backs, bool isMerged) {
     uint at = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
     faceIrradianceData[at] =
-        faceIrradianceData[at] & linkBits | rays | backs << 16u | (isMerged ? wasMerged : 0u);
+        faceIrradianceData[at] & (linkBits | emitterBits) | rays | backs << 16u | (isMerged ? wasMerged : 0u);
 }
 uint faceLinks(uint id) {
     return faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] >> 8u & 0xFu;
@@ -219,15 +245,25 @@ vec3 reflectedBounces(vec3 albedo, vec3 irradiance) {
     return lightStep.bounces * min(albedo, maxAlbedo) * irradiance;
 }
 
-// Irradiance by the compact emitters (directional/emitters.comp). Alpha tells whether it is known.
+// Irradiance by the compact emitters (directional/emitters.comp), and whether it is known.
 #ifdef VCT_EMITTERS
-const float emittersUnknown = 0.0, emittersTakenOver = 0.5, emittersKnown = 1.0;
+const uint emittersUnknown = 0u, emittersTakenOver = 0x1000u, emittersKnown = 0x2000u;
 vec3 emitterIrradiance(uint id) {
-    return faceMean(id, VCT_FACE_EMITTERS).rgb;
+    return unpackRgb9e5(faceIrradianceData[irradianceAt(id) + VCT_FACE_EMITTERS]);
+}
+uint knownEmitters(uint id) {
+    return faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] & emitterBits;
+}
+void storeEmitterIrradiance(uint id, vec3 light, uint known) {
+    uint at = irradianceAt(id), counts = at + VCT_FACE_BLOCKED + 1u;
+    faceIrradianceData[at + VCT_FACE_EMITTERS] = packRgb9e5(light);
+    faceIrradianceData[counts] = faceIrradianceData[counts] & ~emitterBits | known;
 }
 // A new face takes over what another face has, one of a coarser cascade or of the last pose.
 void takeEmitterIrradiance(uint id, uint from) {
-    storeFaceMean(id, VCT_FACE_EMITTERS, vec4(emitterIrradiance(from), emittersTakenOver));
+    uint at = irradianceAt(id), counts = at + VCT_FACE_BLOCKED + 1u;
+    faceIrradianceData[at + VCT_FACE_EMITTERS] = faceIrradianceData[irradianceAt(from) + VCT_FACE_EMITTERS];
+    faceIrradianceData[counts] = faceIrradianceData[counts] & ~emitterBits | emittersTakenOver;
 }
 #else
 vec3 emitterIrradiance(uint id) {

@@ -31,6 +31,17 @@ const uint faceSumWords = VCT_EMISSIVE_FACE_SUM_WORDS;
 const uint faceSumWords = VCT_FACE_SUM_WORDS;
 #endif
 
+#if VCT_CASCADES == 1
+// All static faces of one cube have sums, or none. A uniform says which, because these passes look up many
+// sums. It is the first id that has sums; those of the others follow.
+layout(location = VCT_UNIFORM_FIRST_SUMS) uniform uint firstWithSums;
+uint sumsAt(uint id) {
+    return (id - firstWithSums) * faceSumWords;
+}
+bool hasStaticSums(uint id) {
+    return true;  // its static faces are resolved while they have sums
+}
+#else
 // The position of a face's sums.
 uint sumsAt(uint id) {
     uint capacity = commands[0].faceCapacity, place = id;
@@ -44,6 +55,7 @@ uint sumsAt(uint id) {
 bool hasStaticSums(uint id) {
     return sumsById != 0u || faceData[radianceAt(id)] != 0u;
 }
+#endif
 
 void addToWords(uint at, vec3 value) {
     uvec3 units = uvec3(clamp(value, 0.0, 1.0) * frame.faceSumUnits + 0.5);

@@ -14,9 +14,7 @@ void main() {
     bool isDynamic = texel.z >= depth;
     if (!isDynamic && (changed >> uint(texel.z / side) & 1u) == 0u) return;
     uvec2 bits = uvec2(0u);
-    for (int face = 0; face < 6; ++face) {
-        uint at = blockWords(texel - ivec3(0, 0, isDynamic ? depth : 0), face, isDynamic);
-        bits |= uvec2(faceData[at], faceData[at + 1u]);
-    }
+    for (int face = 0; face < 6; ++face)
+        bits |= blockBits(texel - ivec3(0, 0, isDynamic ? depth : 0), face, isDynamic);
     imageStore(blocks, texel, uvec4(bits.x & 0xFFFFu, bits.x >> 16u, bits.y & 0xFFFFu, bits.y >> 16u));
 }

@@ -47,14 +47,13 @@ void main() {
             storeCachedHits(id, quad, hits);
         }
         if (lost == 0u) continue;
-        faceIrradianceData[changedAt(id)] = lightStep.frame + 1u;
+        storeChangedNow(id);
         // Hits that are lost were of faces. The sky's share of the mean grows, as that of the other
         // rays.
         FaceSight sight = faceSight(id);
         uint known = sight.rays - min(lost, sight.rays);
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * (known == 0u ? 0.0 : float(sight.rays) / float(known));
         storeFaceMean(id, VCT_MEAN_SKY, sky);
-        storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);
         storeFaceSight(id, FaceSight(sight.nearness, sight.backs, known));
     }
 }

@@ -31,8 +31,8 @@ void main() {
             light += radianceOf(cachedHitsFrom(hits, 1u), firstWord);
             hits += hitsStep;
         }
-        uint at = irradianceAt(id) + VCT_FACE_BLOCKED, first = faceIrradianceData[at];
-        uint blocked = faceIrradianceData[at + 1u] & 0xFFu;
+        uint first = firstBlockedOf(id);
+        uint blocked = faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] & 0xFFu;
         for (uint b = 0u; b < blocked; ++b) {
             uint word = faceIrradianceData[first + b];
             uvec4 now = uvec4(word & 0xFFFFFFu, uvec3(VCT_HIT_SKY));
@@ -40,6 +40,7 @@ void main() {
             light += radianceOf(now, firstWord) - radianceOf(before, firstWord);
         }
         light = max(light, 0.0) / max(float(countedRays(id)), 1.0);
-        storeFaceMean(id, VCT_MEAN_NOW, vec4(light, 0.0) + faceMean(id, VCT_MEAN_SKY_NOW));
+        vec4 sky = meanFrom(blocked > 0u ? first + blocked : irradianceAt(id) + VCT_MEAN_SKY);
+        storeFaceMean(id, VCT_MEAN_NOW, vec4(light, 0.0) + sky);
     }
 }

@@ -22,8 +22,7 @@ void main() {
         }
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        uint changed = faceIrradianceData[changedAt(id)];
-        if (isStatic && (changed == 0u || changed < lightStep.visitsSince) &&
+        if (isStatic && !hasChangedSince(id, lightStep.visitsSince - 1u) &&
             (lightStep.visitedCascades >> uint(cascadeOf(listed.voxel)) & 1u) == 0u &&
             isUnchanged(id, listed.voxel))
             continue;

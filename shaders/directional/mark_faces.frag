@@ -17,6 +17,6 @@ void main() {
 #if VCT_CASCADES > 1
         if (isKept(part.voxel) || list == 0u && staticCellAt(voxel) != 0u) continue;
 #endif
-        if (markInBlock(voxel, faces, list != 0u)) markBlock(voxel >> VCT_BRICK_LEVEL);
+        if (markInBlock(voxel, faces, list != 0u)) markBlock(voxel >> VCT_BRICK_LEVEL, list != 0u);
     }
 }

@@ -1,7 +1,7 @@
 // Finds the thin walls that cross a floor, a ceiling or another wall, and writes them into the words of the
-// bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay
-// while a cascade moves, so that those near new voxels are marked (list_arrived.comp); walls of dynamic
-// objects are added to the bricks.
+// bricks that these faces have (directional/walls.glsl). Static walls have words of their own, with cascades
+// in the pages of blocks, which stay while a cascade moves, so that those near new voxels are marked
+// (list_arrived.comp); walls of dynamic objects are added to the bricks.
 #include "directional/index.glsl"
 #include "directional/visited.glsl"
 #include "directional/voxels.glsl"
@@ -43,11 +43,30 @@ Surface surfaceOf(Cells cells, int face) {
     return Surface(extent.coverage, extent.place, facePlane(id));
 }
 
+#if VCT_CASCADES > 1
+// Adds a static wall to the word of a block's brick.
+void markStatic(ivec3 block, int face, int slot, uint word) {
+    uint at = staticWallAt(block, face, slot);
+    if (at == 0u) return;
+    uint before = faceData[at];
+    for (int attempt = 0; attempt < 64 && mergeWalls(before, word) != before; ++attempt) {
+        uint seen = atomicCompSwap(faceData[at], before, mergeWalls(before, word));
+        if (seen == before) break;
+        before = seen;
+    }
+}
+#endif
+
 // Adds a wall to the word of a block's brick. `slot`: the word of the two.
 void markBrick(ivec3 block, int face, int slot, uint word) {
+#if VCT_CASCADES > 1
+    if (list != dynamicList) {
+        markStatic(block, face, slot, word);
+        return;
+    }
+#endif
     int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
-    ivec3 place = list == dynamicList ? block : wrappedBlock(block);
-    ivec3 texel = faceTexel(place, face >> 1, face & 1, blocks);
+    ivec3 texel = faceTexel(block, face >> 1, face & 1, blocks);
     if (list == dynamicList && imageLoad(brickPlaces, texel).r == 0u) return;
     if (list == dynamicList) imageAtomicOr(brickPlaces, texel, VCT_BRICK_HAS_WALLS);
     // A failed attempt means that another wall has changed the word, which only grows. The limit is for

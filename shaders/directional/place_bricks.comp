@@ -13,7 +13,9 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16f, binding = VCT_IMAGE_BRICKS) writeonly uniform mediump image3D brickTexels;
 layout(r32ui, binding = VCT_IMAGE_BRICK_PLACES) writeonly uniform highp uimage3D brickPlaces;
 layout(r32ui, binding = VCT_IMAGE_WALLS) writeonly uniform highp uimage3D walls;
+#if VCT_CASCADES == 1
 layout(binding = VCT_TEX_WALLS) uniform highp usampler3D staticWalls;
+#endif
 layout(location = VCT_UNIFORM_PLACED) uniform uint placed;  // a bit per cascade whose bricks are placed
 
 // A bit for each layer of a block along an axis that has faces. `voxels`: the 64 bits of the block's voxels.
@@ -37,12 +39,8 @@ uint layersOf(uvec2 voxels, int axis) {
 uint layersAside(ListedFace listed, ivec3 aside) {
     ivec3 block = listed.voxel + aside;
     if (block != clampToCascade(block, listed.voxel, frame.gridSide >> VCT_BRICK_LEVEL)) return 0u;
-    uint at = blockWords(block, listed.face, false);
-    uvec2 voxels = uvec2(faceData[at], faceData[at + 1u]);
-    if (frame.hasDynamicObjects != 0) {
-        uint moving = blockWords(block, listed.face, true);
-        voxels |= uvec2(faceData[moving], faceData[moving + 1u]);
-    }
+    uvec2 voxels = blockBits(block, listed.face, false);
+    if (frame.hasDynamicObjects != 0) voxels |= blockBits(block, listed.face, true);
     return layersOf(voxels, listed.face >> 1);
 }
 
@@ -81,6 +79,16 @@ uint placeOf(ListedFace listed, int cascade) {
     return 0u;
 }
 
+// A word for the static walls of a listed face's brick. `at`: its texel.
+uint staticWall(ListedFace listed, int slot, ivec3 at) {
+#if VCT_CASCADES == 1
+    return texelFetch(staticWalls, at, 0).r;
+#else
+    uint word = staticWallAt(listed.voxel, listed.face, slot);
+    return word == 0u ? 0u : faceData[word];
+#endif
+}
+
 void clearBrick(uint brick) {
     ivec3 first = firstTexel(brick);
     int layers = int(layersOfBrick(brick));
@@ -104,8 +112,7 @@ void main() {
             faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickPlaces).x / 3);
         for (int word = 0; word < 2; ++word) {
             ivec3 at = wallTexel(texel, word, imageSize(brickPlaces).z);
-            ivec3 wrapped = wrappedBlock(listed.voxel) - listed.voxel;
-            uint ownWall = texelFetch(staticWalls, at + wrapped, 0).r;
+            uint ownWall = staticWall(listed, word, at);
             if (brick != 0u && ownWall != 0u) brick |= VCT_BRICK_HAS_WALLS;
             imageStore(walls, at, uvec4(ownWall));
         }

@@ -15,7 +15,11 @@ void main() {
     barrier();
     if (list == 0u) {
         dynamicList = nextDynamic;
-        if (withStatic != 0u) unplacedFaces = unusedIds = takenIds = takenSums = 0u;
+        if (withStatic != 0u) {
+            unplacedFaces = unusedIds = takenIds = takenSums = 0u;
+            freePages -= min(takenPages, freePages);
+            takenPages = 0u;
+        }
     }
     if (list == (nextDynamic ^ 1u)) return;
     if (withStatic != 0u) {

@@ -1,11 +1,11 @@
-// Indexes the static voxels that the cascades still hold after they have moved, of those that
-// unlist_static.comp has found. Their faces keep their ids. The ids of the other faces are free from the next
-// move on; until then they lead to the face of the next cascade in the same place (faceInstead()), and keep
-// their radiance. Only with cascades.
+// Lists the static voxels that the cascades still hold after they have moved, of those that
+// unlist_static.comp has found. Their faces keep their ids, and their blocks keep their pages. The ids of the
+// other faces are free from the next move on; until then they lead to the face of the next cascade in the
+// same place (faceInstead()), and keep their radiance. Only with cascades.
 #include "directional/block_lists.glsl"
+#include "directional/index.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform highp uimage3D index;
 layout(location = VCT_UNIFORM_SHIFT) uniform uint shifts[VCT_MAX_CASCADES];  // packShift() of each cascade
 
 // The id, counted from 1, of the face of the next coarser cascade where a voxel is; 0: none. The voxel may be
@@ -15,7 +15,7 @@ uint idInNextCascade(ivec3 voxel, int own, int face) {
     vec3 middle = volumeFromVoxels(vec3(voxel) + 0.5, own);
     ivec3 next = ivec3(floor(voxelsFromVolume(middle, own + 1)));
     if (next != clampToCascade(next, ivec3(0, 0, (own + 1) * frame.gridSide), frame.gridSide)) return 0u;
-    uint cell = imageLoad(index, next).r;
+    uint cell = staticCellAt(next);
     return hasFace(cell, face) ? faceId(cell, face) + 1u : 0u;
 }
 
@@ -44,8 +44,6 @@ void main() {
         } while (size < 6u && (entry & VCT_FIRST_FACE) == 0u);
         if (stays) {
             atomicAdd(commands[0].voxelCount, 1u);
-            imageStore(index, now, uvec4(packCell(id, faces)));
-            markInBlock(now, faces, false);
             uint shift, at = maskAt(now >> VCT_BRICK_LEVEL, shift);
             atomicOr(faceData[at], faces << shift);
             continue;

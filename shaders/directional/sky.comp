@@ -19,6 +19,5 @@ void main() {
         }
         sky /= max(float(faceSight(id).rays), 1.0);
         storeFaceMean(id, VCT_MEAN_SKY, sky);
-        storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);
     }
 }

@@ -60,7 +60,9 @@ void main() {
         if (lightStep.startsDark == 0u && before.rgb != vec3(0.0))
             shown = mix(before, shown, min(float(sight.rays + sight.backs) / float(VCT_DIRECTIONS), 1.0));
         if (lightStep.endsRefinement != 0u) {
-            if (id < commands[0].faceCapacity) faceIrradianceData[changedAt(id)] = 0u;
+#if VCT_CASCADES > 1
+            if (id < commands[0].faceCapacity) storeChange(id, 0u);
+#endif
             storeRefined(id, shown, smoothNow);
         }
         storeFaceMean(id, VCT_MEAN_SMOOTH, smoothNow);

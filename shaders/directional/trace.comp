@@ -18,7 +18,7 @@ void invalidateRays(uint id) {
 // a move are many, and show the light of a coarser cascade meanwhile.
 uint raysInStep(uint id) {
 #if VCT_CASCADES > 1
-    if (visitsAll == 0u && faceIrradianceData[changedAt(id)] != 0u)
+    if (visitsAll == 0u && hasChangedSince(id, lightStep.visitsSince - 1u))
         return max(lightStep.rays / VCT_MOVE_PACE, 1u);
 #endif
     return lightStep.rays;

@@ -42,7 +42,6 @@ void updateMeans(uint id, TracedRays traced) {
     sight.backs = uint(int(sight.backs) + traced.count.y);
     vec4 mean = max(sum, 0.0) / max(float(sight.rays), 1.0);
     storeFaceMean(id, VCT_MEAN_SKY, mean);
-    storeFaceMean(id, VCT_MEAN_SKY_NOW, mean);
     if (traced.count.z > 0) {
         float now = float(traced.count.z);
         sight.nearness = mix(sight.nearness, traced.nearness / now, now / float(sight.rays));

@@ -1,10 +1,10 @@
-// Removes the static faces of cascades that have moved from the index and from the blocks, and lists the
-// first one of each of their voxels for scroll.comp, in VCT_LIST_VISITED. The voxels of the other cascades
-// are counted. The ids without a face may be used from now on. Only with cascades.
+// Removes the static faces of cascades that have moved from the blocks, and lists the first one of each of
+// their voxels for scroll.comp, in VCT_LIST_VISITED. The voxels of the other cascades are counted. The ids
+// without a face may be used from now on. Copies the positions of the blocks' pages to where marked blocks
+// will be listed, for list_blocks.comp. Only with cascades.
 #include "directional/block_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;
 layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade
 
 bool isMoved(uint entry) {
@@ -18,6 +18,9 @@ bool isFirst(uint entry) {
 const uint perInvocation = 16u;
 
 void main() {
+    uint blocks = blockCount(), invocations = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint block = gl_GlobalInvocationID.x; block < blocks; block += invocations)
+        activeVoxels[commands[VCT_BRICK_LEVEL].firstEntry + block] = faceData[pageAt(block)];
     uint total = faceCount(0u), list = commands[0].firstFace;
     const uint perGroup = perInvocation * uint(VCT_LIST_GROUP);
     uint stride = gl_NumWorkGroups.x * perGroup;
@@ -36,12 +39,8 @@ void main() {
             ListedFace listed = unpackListed(entry);
             if (listed.isMerged || !isMoved(entry)) continue;
             ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
-            uint bits = blockWords(block, listed.face, false);
-            faceData[bits] = 0u;
-            faceData[bits + 1u] = 0u;
             uint shift;
             faceData[maskAt(block, shift)] = 0u;  // the other blocks of the word are of the same cascade
-            imageStore(index, listed.voxel, uvec4(0u));
         }
         if (still != 0u) atomicAdd(commands[0].voxelCount, still);
         uint i = moving == 0u ? 0u : reserveFaces(uint(VCT_LIST_VISITED), moving);

@@ -12,5 +12,9 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     uint staticSums;
     uint takenSums;
     uint sumsById;
+    uint pageCapacity;
+    uint freePages;
+    uint takenPages;
+    uint firstFreePage;
     uint brickLayers[VCT_MAX_CASCADES];
 };

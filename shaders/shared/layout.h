@@ -126,6 +126,7 @@ using glm::vec4;
 #define VCT_UNIFORM_TURNS 1             // turns of forward_hits.comp, in this dispatch or left
 #define VCT_UNIFORM_VISITS_ALL 9        // 1: the pass visits all faces; 0: those of VCT_LIST_VISITED
 #define VCT_UNIFORM_CHANGED 10          // two: corners of the box in which a pose changes static faces
+#define VCT_UNIFORM_FIRST_SUMS 12       // first id that has sums, in one cube (directional/face_sums.glsl)
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
 #define VCT_UNIFORM_AXIS 0              // axis along which the triangles of a draw call are voxelized
@@ -175,8 +176,14 @@ using glm::vec4;
 #define VCT_FACE_SUM_WORDS 13u
 #define VCT_EMISSIVE_FACE_SUM_WORDS 16u
 #define VCT_FACE_GROUP 64u  // faces whose radiance is stored together, and whose hits are
-// Words per block of 4^3 voxels (directional/blocks.glsl).
+// Words per block of 4^3 voxels (directional/blocks.glsl), of one cube and of cascades, and words of a page
+// of cascades: the cells of the voxels, from VCT_PAGE_BITS on their bits, and from VCT_PAGE_WALLS on two
+// words for the thin walls across each face of the block.
 #define VCT_BLOCK_WORDS 24u
+#define VCT_PAGED_BLOCK_WORDS 13u
+#define VCT_PAGE_BITS 64u
+#define VCT_PAGE_WALLS 76u
+#define VCT_PAGE_WORDS 88u
 // Set above the bits of a block's six faces, if list_faces.comp has to visit the block.
 #define VCT_MARKED_BLOCK 64u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
@@ -186,14 +193,17 @@ using glm::vec4;
 // Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without compact
 // emitters. With them, the words from VCT_FACE_SEEN_WORD on hold what the face sees of the emitters' parts,
 // VCT_SEEN_PARTS to a word.
-#define VCT_FACE_IRRADIANCE_WORDS 22u
-#define VCT_FACE_SEEN_WORD 24u
+#define VCT_FACE_IRRADIANCE_WORDS 20u
+#define VCT_FACE_SEEN_WORD 21u
 #define VCT_SEEN_PARTS 8
 // The first of the two words of the light that pixels see.
 #define VCT_FACE_SHOWN_WORD 4u
-// The first of the five words that depend on what the cached rays have hit, and the last of them.
+// The first of the three words that depend on what the cached rays have hit, and the last of them.
 #define VCT_FACE_SKY_WORD 12u
-#define VCT_FACE_SIGHT_WORD 16u
+#define VCT_FACE_SIGHT_WORD 14u
+// The word with the counts of the blocked rays, and the bits of it that are not of these.
+#define VCT_FACE_BLOCKED_COUNTS_WORD 17u
+#define VCT_FACE_NOT_BLOCKED 0x80003F00u
 // The hit of a cached ray: a face, or one of these. Above them, in the highest of the bits of a hit, a bit is
 // set if the ray is shorter than the distance of ambient occlusion.
 #define VCT_HIT_UNKNOWN 0u  // the ray has not been traced
@@ -302,8 +312,8 @@ struct LightStep {
     uint startsDark;       // 1: no face had light before its first rays
     float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
     uint visitedCascades;  // all static faces of these cascades are visited, a bit for each
-    uint firstForward;     // words of the buffer where the faces' next ids or last changes begin,
-    uint firstHit;         // the hits,
+    uint unusedWord;
+    uint firstHit;         // words of the buffer where the hits begin,
     uint firstBlocked;     // and the blocked rays
     uint blockedCapacity;  // room for so many
     uint objectCount;      // moving objects
@@ -367,6 +377,12 @@ struct CommandLists {
     uint staticSums;       // room for the sums of so many static faces (directional/face_sums.glsl)
     uint takenSums;        // as many static faces wanted room there since the cascades moved last
     uint sumsById;         // 1: all static faces have sums, in the order of their ids
+    // Pages of cascades (directional/blocks.glsl): their number, those that were free after the cascades
+    // moved last, as many as blocks have wanted since then, and the position of the free ones' list.
+    uint pageCapacity;
+    uint freePages;
+    uint takenPages;
+    uint firstFreePage;
     // Layers of texels of the bricks that were placed last, also those that did not fit.
     uint brickLayers[VCT_MAX_CASCADES];
 };

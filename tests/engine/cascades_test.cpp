@@ -474,6 +474,17 @@ TEST(CascadesOnAWalk, ConvergeToTheSameLightWhereverTheyAre) {
     EXPECT_NEAR(difference / count, 0.0, 0.002);
 }
 
+// The picture for which docs/measured.md states the memory.
+TEST(CascadesInATown, TakeLittleMemory) {
+    const Context context = openContext(Backend::egl);
+    const Scene town = loadGltf(asset("town.glb"));
+    Settings settings = withCascades(400, 5);
+    settings.lightFrames = 2;
+    Renderer renderer = makeRenderer(context, town, chooseLight(town), settings);
+    renderer.render({{Output::gi}, chooseCamera(town, "")});
+    EXPECT_LE(bytesOf(renderer.resources()), 66'000'000U);
+}
+
 // Flies 8 m with a step of the finest cascade in each frame, and jumps back.
 TEST(CascadesOnAFlight, KeepTheLightInBoundsAndConvergeAfterAJump) {
     const Context context = openContext(Backend::egl);

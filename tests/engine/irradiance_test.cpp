@@ -311,7 +311,8 @@ TEST(Gather, NoLightPassesAThinWall) {
 }
 
 // A house of thick walls with two rooms and a wall of 0.74 voxel between them. A lamp lights one room. The
-// corners of the other show what passes where the wall meets the ceiling, the floor and other walls.
+// corners of the other show what passes where the wall meets the ceiling, the floor and other walls. Filtered
+// bricks take up to a millionth of those beside them in their texture, by rounding.
 TEST(Gather, NoLightPassesBetweenTheRoomsOfAHouse) {
     const Context context = openContext(Backend::egl);
     const glm::dvec3 house(2, 0.75, 2), litRoom(1.875, 0.625, 1.0625), darkRoom(1.875, 0.625, 0.7875);
@@ -336,7 +337,8 @@ TEST(Gather, NoLightPassesBetweenTheRoomsOfAHouse) {
         glm::dvec3 axis;
         double angleDeg, bound;
     };
-    for (const auto& [axis, angleDeg, bound] : {Turned{y, 0, 0.0}, Turned{y, 40, 0.003}, Turned{x, 15, 1e-5}})
+    for (const auto& [axis, angleDeg, bound] :
+         {Turned{y, 0, 2e-6}, Turned{y, 40, 0.003}, Turned{x, 15, 1e-5}})
         for (const double corner : {-1.0, 1.0})
             EXPECT_LE(lightOf(axis, angleDeg, {0.65 * corner, 0.1 * corner, 0.4},
                               {0.9 * corner, 0.3 * corner, 0.15}),

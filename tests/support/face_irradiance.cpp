@@ -29,13 +29,14 @@ IrradianceByFace readIrradiance(const Renderer& renderer) {
         const glm::dvec4 shown = mean(4);
         face.light = glm::dvec3(shown);
         face.ambientVisibility = shown.a;
-        const std::uint32_t sight = words.at(at + 16);
+        const std::uint32_t sight = words.at(at + VCT_FACE_SIGHT_WORD);
         const auto rays = static_cast<int>(sight >> 24U), backs = static_cast<int>(sight >> 16U & 255U);
-        const auto blockedBacks = static_cast<int>(words.at(at + 19) >> 16U & 255U);
+        const auto blockedBacks = static_cast<int>(words.at(at + VCT_FACE_BLOCKED_COUNTS_WORD) >> 16U & 255U);
         const int counted = std::max(rays - blockedBacks, 0);
         face.rays = rays + backs;
         face.isHidden = 3 * (backs + rays - counted) > counted;
-        if (irradiance.irradianceWords() > VCT_FACE_IRRADIANCE_WORDS) face.light += glm::dvec3(mean(22));
+        if (irradiance.irradianceWords() > VCT_FACE_IRRADIANCE_WORDS)
+            face.light += unpackRgb9e5(words.at(at + VCT_FACE_IRRADIANCE_WORDS));
         face.coverage = base.at(entry).coverage;
         faces[entry] = face;
     }

@@ -11,14 +11,20 @@ namespace vct {
 
 namespace {
 
-// Capacities for counts that change, so that buffers rarely grow: as many again for objects, which may turn
-// and come nearer (a box that turns by 20 degrees about one axis has twice as many faces as along the axes,
-// one that turns about all of them 4.3 times), and an eighth for static geometry that cascades reach.
+// Capacities for counts that change, so that buffers rarely grow. Objects have room for as many faces again,
+// because they may turn and come nearer (a box that turns by 20 degrees about one axis has twice as many
+// faces as along the axes, one that turns about all of them 4.3 times).
 std::uint32_t roomForObjects(std::uint32_t count) {
     return 2 * count + 256;
 }
-std::uint32_t roomForMoves(std::uint32_t count) {
-    return count + count / 8 + 256;
+// One cascade moves at a time, and may reach three times as many new faces as lie in an eighth of it in the
+// mean, before the ids of those that it has left are free. So many are left after a list has grown, and a
+// list grows if fewer than sparesForMove() are.
+std::uint32_t roomForMoves(std::uint32_t count, int cascades) {
+    return count + 3 * count / (8 * static_cast<std::uint32_t>(std::max(cascades, 3))) + 256;
+}
+std::uint32_t sparesForMove(std::uint32_t capacity, int cascades) {
+    return 3 * capacity / (10 * static_cast<std::uint32_t>(std::max(cascades, 3)));
 }
 
 // The moves of the cascades. Moves by more than a cascade's side leave nothing of it, as one by its side
@@ -79,12 +85,14 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
         return;
     }
     // Everything is voxelized twice: first to count the faces, then into lists that have room for them.
-    voxels_.reset({});
+    voxels_.reset({}, 0);
     for (;;) {
         voxelize(scene, {cascades});
-        const FaceCapacities needed = capacitiesFor(voxels_.index().readCommands());
-        if (needed == voxels_.capacities()) break;
-        voxels_.reset(needed);
+        const shared::CommandLists listed = voxels_.index().readCommands();
+        const FaceCapacities needed = capacitiesFor(listed);
+        const std::uint32_t pages = pagesFor(listed);
+        if (needed == voxels_.capacities() && pages == voxels_.pageCapacity()) break;
+        voxels_.reset(needed, pages);
     }
     voxels_.shrinkSums();
     cascades_ = cascades;
@@ -150,31 +158,41 @@ FaceCapacities DirectionalVolume::capacitiesFor(const shared::CommandLists& foun
     const std::uint32_t listed = std::min(still.faceCount, still.faceCapacity),
                         unused = still.faceCapacity - listed + found.unusedIds -
                                  std::min(found.takenIds, found.unusedIds);
-    const bool runsOut = hasCascades_ && unused < still.faceCapacity / 10;
+    const bool runsOut = hasCascades_ && unused < sparesForMove(still.faceCapacity, settings_.cascades);
     if (found.unplacedFaces > 0 || runsOut) {
         const std::uint32_t needed = still.faceCapacity + found.unplacedFaces;
-        capacities[0] = std::max(capacities[0], hasCascades_ ? roomForMoves(needed) : needed);
+        capacities[0] =
+            std::max(capacities[0], hasCascades_ ? roomForMoves(needed, settings_.cascades) : needed);
     }
     if (dynamic.faceCount > capacities[VCT_LIST_DYNAMIC])
         capacities[VCT_LIST_DYNAMIC] = capacities[VCT_LIST_DYNAMIC + 1] = roomForObjects(dynamic.faceCount);
-    if (blocks.faceCount + (hasCascades_ ? blocks.faceCount / 16 : 0) > capacities[VCT_BRICK_LEVEL]) {
+    if (blocks.faceCount + (hasCascades_ ? blocks.faceCount / 32 : 0) > capacities[VCT_BRICK_LEVEL]) {
         const std::uint32_t ofStatic = blocks.staticFaces;
-        capacities[VCT_BRICK_LEVEL] = (hasCascades_ ? roomForMoves(ofStatic) : ofStatic) +
+        capacities[VCT_BRICK_LEVEL] = (hasCascades_ ? roomForMoves(ofStatic, settings_.cascades) : ofStatic) +
                                       (hasDynamic_ ? roomForObjects(blocks.faceCount - ofStatic) : 0);
     }
     return capacities;
 }
 
+std::uint32_t DirectionalVolume::pagesFor(const shared::CommandLists& found) const {
+    if (!hasCascades_) return 0;
+    const std::uint32_t wanted = found.pageCapacity - found.freePages + found.takenPages;
+    const bool runsOut = wanted + found.pageCapacity / 32 > found.pageCapacity;
+    return std::max(voxels_.pageCapacity(), runsOut ? wanted + wanted / 16 + 64 : 0);
+}
+
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     const FaceCapacities capacities = capacitiesFor(found);
+    const std::uint32_t pages = pagesFor(found);
+    const bool isSame = capacities == voxels_.capacities() && pages == voxels_.pageCapacity();
     // The next move may bring twice as many faces.
     const bool missSums = found.takenSums > found.staticSums;
     if (2 * found.takenSums > found.staticSums) voxels_.reserveSums(2 * found.takenSums);
-    if (capacities == voxels_.capacities() && !missSums) return false;
+    if (isSame && !missSums) return false;
     // If something did not fit, all is voxelized again. Faces that were there keep their light.
-    isIncomplete_ |= found.unplacedFaces > 0 || missSums ||
+    isIncomplete_ |= found.unplacedFaces > 0 || found.takenPages > found.freePages || missSums ||
                      found.lists[VCT_BRICK_LEVEL].faceCount > voxels_.capacities()[VCT_BRICK_LEVEL];
-    if (capacities != voxels_.capacities()) voxels_.grow(capacities);
+    if (!isSame) voxels_.grow(capacities, pages);
     if (isIncomplete_ || hasDynamic_) cachedFor_.reset();
     return true;
 }

@@ -46,6 +46,8 @@ class DirectionalVolume final : public VoxelVolume {
     // The capacities that the lists need; the present ones if all faces fit. Throws vct::Error if a list of
     // voxels overflowed, because its capacity is fixed.
     FaceCapacities capacitiesFor(const shared::CommandLists& found) const;
+    // The same for the pages of blocks.
+    std::uint32_t pagesFor(const shared::CommandLists& found) const;
     // If faces did not fit into their lists, grows these, and returns true: what changes has to be voxelized
     // again, in all cascades.
     bool growIfNeeded(const shared::CommandLists& found);

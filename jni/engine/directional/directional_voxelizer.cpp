@@ -112,6 +112,7 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std
     voxels.bindForVoxelization();
     voxels.bindIndices();
     accumulate_.setUniform(VCT_UNIFORM_LIST, list);
+    voxels.setFirstSums(accumulate_);
     drawIntoCascades(scene, accumulate_, part, region);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -66,6 +66,17 @@ std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
     return voxel.x + side * (voxel.y + std::size_t{side} * voxel.z);
 }
 
+// The position of the first page.
+std::uint32_t firstPageOf(const shared::CommandLists& commands) {
+    return commands.firstFreePage - commands.pageCapacity * VCT_PAGE_WORDS;
+}
+
+// Adds the pages from one number on to the free ones.
+void addFreePages(shared::CommandLists& commands, std::vector<std::uint32_t>& data, std::uint32_t from) {
+    for (std::uint32_t page = from; page < commands.pageCapacity; ++page)
+        data[commands.firstFreePage + commands.freePages++] = firstPageOf(commands) + page * VCT_PAGE_WORDS;
+}
+
 }  // namespace
 
 float faceSumUnits(std::size_t triangles) {
@@ -128,8 +139,12 @@ const gl::Texture& DirectionalVoxels::pagesOf(std::uint32_t list) const {
 }
 
 std::uint32_t DirectionalVoxels::firstFaceWord() const {
+    return (cascades_ > 1 ? VCT_PAGED_BLOCK_WORDS : VCT_BLOCK_WORDS) * blockCount();
+}
+
+std::uint32_t DirectionalVoxels::blockCount() const {
     const auto side = static_cast<std::uint32_t>(grid() / VCT_BRICK_SIDE);
-    return VCT_BLOCK_WORDS * side * side * side * static_cast<std::uint32_t>(cascades_);
+    return side * side * side * static_cast<std::uint32_t>(cascades_);
 }
 
 // Sets the positions of the lists and of the blocks' bits in faceData(), in words
@@ -155,27 +170,30 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     blocks.firstFace = next + firstId;
     blocks.faceCapacity = capacities_[VCT_BRICK_LEVEL];
     blocks.firstMask = blocks.firstFace + blocks.faceCapacity;
+    commands.pageCapacity = pageCapacity_;
+    commands.firstFreePage = blocks.firstMask + (blockCount() + 3) / 4 + pageCapacity_ * VCT_PAGE_WORDS;
 }
 
 std::size_t DirectionalVoxels::words() const {
     shared::CommandLists commands{};
     placeLists(commands);
-    const std::size_t blocks = firstFaceWord() / VCT_BLOCK_WORDS;
-    return commands.lists[VCT_BRICK_LEVEL].firstMask + (blocks + 3) / 4;
+    return std::size_t{commands.firstFreePage} + pageCapacity_;
 }
 
-void DirectionalVoxels::reset(const FaceCapacities& capacities) {
+void DirectionalVoxels::reset(const FaceCapacities& capacities, std::uint32_t pages) {
     const gl::DebugGroup group("clear voxels");
     index_.clearTexture();
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
     capacities_ = capacities;
+    pageCapacity_ = pages;
     makeDynamicIndices();
     pose_ = 0;
     shared::CommandLists commands = index_.initialCommands();
     placeLists(commands);
     std::vector<std::uint32_t> data(words());
     std::fill_n(data.begin() + commands.lists[0].firstFace, capacities[0], VCT_FREE_FACE);
+    addFreePages(commands, data, 0);
     faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, data.size() * sizeof data[0],
                            data.data(), GL_DYNAMIC_COPY);
     index_.setCommands(commands);
@@ -204,11 +222,11 @@ void DirectionalVoxels::shrinkSums() {
         faceSums_ = {};
         return;
     }
-    // One cascade moves at a time, by an eighth of its side along one axis or more. It has room for half of
-    // its faces, because they lie unevenly.
+    // One cascade moves at a time, by an eighth of its side along one axis or more. It has room for a third
+    // of its faces, because they lie unevenly.
     if (cascades_ > 1)
         sumCapacity_ =
-            std::max(sumCapacity_, capacities_[0] / (2 * static_cast<std::uint32_t>(cascades_)) + 256);
+            std::max(sumCapacity_, capacities_[0] / (3 * static_cast<std::uint32_t>(cascades_)) + 256);
     makeSums(sumCapacity_, false);
 }
 
@@ -220,12 +238,13 @@ void DirectionalVoxels::markStatic() const {
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void DirectionalVoxels::grow(const FaceCapacities& capacities) {
+void DirectionalVoxels::grow(const FaceCapacities& capacities, std::uint32_t pages) {
     shared::CommandLists commands = index_.readCommands();
     const shared::CommandLists old = commands;
     std::vector<std::uint32_t> before(faceData_.bytes() / sizeof(std::uint32_t));
     faceData_.read(before.data(), faceData_.bytes());
     capacities_ = capacities;
+    pageCapacity_ = pages;
     makeDynamicIndices();
     placeLists(commands);
     std::vector<std::uint32_t> after(words());
@@ -234,6 +253,19 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
                     after.begin() + static_cast<std::ptrdiff_t>(to));
     };
     copy(0, 0, firstFaceWord());
+    // The pages follow each other, so that all of their positions change alike.
+    const std::uint32_t firstPage = firstPageOf(commands), oldFirstPage = firstPageOf(old);
+    const auto moved = [=](std::uint32_t page) { return page == 0 ? 0 : page - oldFirstPage + firstPage; };
+    copy(oldFirstPage, firstPage, std::size_t{old.pageCapacity} * VCT_PAGE_WORDS);
+    for (std::uint32_t block = 0; block < blockCount() && cascades_ > 1; ++block) {
+        std::uint32_t& page = after[std::size_t{block} * VCT_PAGED_BLOCK_WORDS + VCT_PAGED_BLOCK_WORDS - 1];
+        page = moved(page);
+    }
+    commands.freePages = old.freePages - std::min(old.takenPages, old.freePages);
+    commands.takenPages = 0;
+    for (std::uint32_t i = 0; i < commands.freePages; ++i)
+        after[commands.firstFreePage + i] = moved(before[old.firstFreePage + i]);
+    addFreePages(commands, after, old.pageCapacity);
     for (const std::uint32_t list : baseLists) {
         const bool isOlder = list >= VCT_LIST_DYNAMIC && list != dynamicList();
         shared::LevelCommands& now = commands.lists[list];
@@ -325,8 +357,9 @@ void DirectionalVoxels::writeIndex(std::uint32_t list, std::uint32_t firstId,
 
 // Removes what the last pose has listed, and resets the lists.
 void DirectionalVoxels::resetLists(bool withStatic) {
-    clearDynamic_.use();
     if (hasDynamicObjects()) {
+        clearDynamic_.use();
+        setFirstSums();
         bindIndices();
         pagesOf(dynamicList() ^ 1U).bindImage(VCT_IMAGE_PAGES, 0, GL_WRITE_ONLY);
         index_.dispatchOverFaces(0);
@@ -361,21 +394,21 @@ void DirectionalVoxels::beginMove(const CascadeShifts& shifts, std::uint32_t mov
     index_.emptyFaceList(VCT_LIST_VISITED);
     unlistStatic_.use();
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, rebuilds ? allCascades : moved);
-    staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
     index_.dispatchOverFaces(0);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                      GL_COMMAND_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    const auto setShifts = [&] {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(cascades_); ++i)
+            gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i), shared::packShift(shifts.at(i)));
+    };
     scroll_.use();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cascades_); ++i)
-        gl::Uniform1ui(VCT_UNIFORM_SHIFT + static_cast<GLint>(i), shared::packShift(shifts.at(i)));
-    staticIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    setShifts();
     index_.dispatchOverFaces(VCT_LIST_VISITED);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                      GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     index_.emptyFaceList(VCT_LIST_VISITED);
     listFree_.use();
     index_.dispatchOverFaces(0);
     listBlocks_.use();
+    setShifts();
     dispatchOverBlocks(cascades_ * grid() / VCT_BRICK_SIDE);
     markStatic();
     gl::MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -435,9 +468,18 @@ void DirectionalVoxels::resolveFaces(std::uint32_t list) const {
     for (const gl::Program* program : {&resolve_, &extents_}) {
         program->use();
         gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+        setFirstSums();
         index_.dispatchOverFaces(static_cast<int>(list));
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
+}
+
+void DirectionalVoxels::setFirstSums() const {
+    if (cascades_ == 1) gl::Uniform1ui(VCT_UNIFORM_FIRST_SUMS, firstWithSums());
+}
+
+void DirectionalVoxels::setFirstSums(const MaterialPrograms& programs) const {
+    if (cascades_ == 1) programs.setUniform(VCT_UNIFORM_FIRST_SUMS, firstWithSums());
 }
 
 void DirectionalVoxels::setChanged(const Bounds& box) {

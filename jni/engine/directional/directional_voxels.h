@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 
+#include "engine/material_programs.h"
 #include "engine/voxel_pyramid.h"
 #include "scene/scene.h"
 
@@ -86,8 +87,11 @@ class DirectionalVoxels {
     const gl::Texture& dynamicIndex() const { return indexOf(dynamicList()); }
     const gl::Texture& dynamicPages() const { return pagesOf(dynamicList()); }
 
+    // Number of pages of cascades, for blocks with static faces (shaders/directional/blocks.glsl).
+    std::uint32_t pageCapacity() const { return pageCapacity_; }
+
     // Clears everything, and allocates buffers for these capacities.
-    void reset(const FaceCapacities& capacities);
+    void reset(const FaceCapacities& capacities, std::uint32_t pages);
     // Marks the listed voxels and faces as static. The lists return to these counts for each pose.
     void markStatic() const;
     // Leaves room for the sums of the static faces that a move brings, once all of them or those of a long
@@ -96,7 +100,7 @@ class DirectionalVoxels {
     void reserveSums(std::uint32_t staticFaces);
     // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
     // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
-    void grow(const FaceCapacities& capacities);
+    void grow(const FaceCapacities& capacities, std::uint32_t pages);
     // Removes the dynamic objects of the last pose.
     void beginPose();
     // The same after cascades have moved: faces that a cascade has left are removed as well, and those that
@@ -112,6 +116,11 @@ class DirectionalVoxels {
     // Around the dynamic objects in the present pose, and the box to which the last resolve() was confined.
     const Bounds& objects() const { return objects_; }
     const Bounds& changed() const { return changed_; }
+
+    // Tells the current program, or those of materials, the first id that has sums in one cube
+    // (shaders/directional/face_sums.glsl). Cascades have no such uniform.
+    void setFirstSums() const;
+    void setFirstSums(const MaterialPrograms& programs) const;
 
     // Confines the current program, of directional/changed.glsl, to a box, volume space.
     static void setChanged(const Bounds& box);
@@ -142,6 +151,7 @@ class DirectionalVoxels {
 
   private:
     void resetLists(bool withStatic);
+    std::uint32_t firstWithSums() const { return sumsById_ ? 0 : capacities_[0]; }
     void makeSums(std::uint32_t staticFaces, bool byId);
     void resolveFaces(std::uint32_t list) const;
     // Dispatches the current program, of groups of 4^3 blocks, over so many layers of blocks.
@@ -152,6 +162,7 @@ class DirectionalVoxels {
     void writeIndex(std::uint32_t list, std::uint32_t firstId,
                     const std::vector<std::uint32_t>& entries) const;
     std::uint32_t firstFaceWord() const;
+    std::uint32_t blockCount() const;
     std::size_t words() const;
 
     int cascades_;
@@ -163,6 +174,7 @@ class DirectionalVoxels {
     bool sumsById_ = true;
     std::uint32_t sumCapacity_ = 0;  // static faces that a move may bring
     FaceCapacities capacities_{};
+    std::uint32_t pageCapacity_ = 0;
     std::uint32_t pose_ = 0;
     Bounds objects_ = noBounds, changed_ = noBounds;
     gl::Texture blocks_;  // shaders/directional/fill_blocks.comp

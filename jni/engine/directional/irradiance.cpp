@@ -21,7 +21,7 @@ glm::ivec3 blocksSize(const DirectionalVoxels& voxels) {
            glm::ivec3(DirectionalVoxels::directionsX, DirectionalVoxels::directionsY, voxels.cascades());
 }
 
-// Layers of texels of the texture of bricks.
+// Layers of texels of the texture of bricks, at most.
 constexpr std::uint32_t bricksHigh = 256;
 
 // Eight cached hits as shaders/directional/face_irradiance.glsl packs them, with so many bits above 16.
@@ -127,7 +127,7 @@ GatherSettings Irradiance::fitting(GatherSettings settings, std::uint32_t ids) {
     if (ids > maxIds(settings.hitBits)) settings.hitBits = 24;
     const auto bytes = [&] {
         const auto hits = static_cast<std::size_t>(settings.directions);
-        const std::size_t words = VCT_FACE_SEEN_WORD + VCT_MAX_EMITTER_PARTS / VCT_SEEN_PARTS + 1 +
+        const std::size_t words = VCT_FACE_SEEN_WORD + VCT_MAX_EMITTER_PARTS / VCT_SEEN_PARTS +
                                   hits * static_cast<std::size_t>(settings.hitBits) / 32 + hits / 8;
         return words * ids * sizeof(std::uint32_t);
     };
@@ -342,20 +342,21 @@ bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
     if (hasObjects_) {
         // All rays of a small scene, 1/64 of those of a large one, or as many as there were.
         const std::uint32_t faces = capacities_[0];
-        const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions) * faces;
-        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 64, std::min(all, 1U << 17U)});
+        const std::uint32_t all = static_cast<std::uint32_t>(settings_.directions + 2) * faces;
+        blockedCapacity_ = std::max({blockedCapacity_, blocked_, all / 64, std::min(all, 1U << 16U)});
+        // With cascades a position has 22 bits (shaders/directional/face_irradiance.glsl).
+        if (forwardHits_) blockedCapacity_ = std::min(blockedCapacity_, 1U << 22U);
     }
     const bool grows = before != capacities_;
     if (oldIds != 0 && !grows && blockedBefore == blockedCapacity_) return false;
-    // The buffer begins with the faces' words. A word per face for its next id or its last change follows,
-    // then the hits, and the rays that moving objects block.
+    // The buffer begins with the faces' words. The hits follow, and the rays that moving objects block.
     const std::size_t perFace = irradianceWords();
-    std::vector<std::uint32_t> words((perFace + 1) * idCapacity_ + hitWords(idCapacity_) + blockedCapacity_);
+    std::vector<std::uint32_t> words(perFace * idCapacity_ + hitWords(idCapacity_) + blockedCapacity_);
     if (oldIds != 0) {
         // Faces keep their light and their hits, with other ids. This is rare enough to wait for the GPU.
         // If all cascades were voxelized again, rays may have missed static faces that did not fit into the
         // lists, so all are traced again.
-        std::vector<std::uint32_t> old((perFace + 1) * oldIds + hitWords(oldIds));
+        std::vector<std::uint32_t> old(perFace * oldIds + hitWords(oldIds));
         faceIrradiance_.read(old.data(), old.size() * sizeof old[0]);
         std::vector<std::uint32_t> newId(oldIds);
         std::size_t from = 0, to = 0;
@@ -365,16 +366,18 @@ bool Irradiance::reserveFaces(const DirectionalVoxels& voxels, bool keepsHits) {
             from += before[list];
             to += capacities_[list];
         }
-        std::uint32_t* const hits = &words[(perFace + 1) * idCapacity_];
-        const std::uint32_t* const oldHits = &old[(perFace + 1) * oldIds];
+        std::uint32_t* const hits = &words[perFace * idCapacity_];
+        const std::uint32_t* const oldHits = &old[perFace * oldIds];
         const auto directions = static_cast<std::uint32_t>(settings_.directions),
                    bits = static_cast<std::uint32_t>(settings_.hitBits), nearBit = 1U << (bits - 1);
         for (std::uint32_t id = 0; id < oldIds; ++id) {
             std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(perFace * id), perFace,
                         words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id]));
+            // The blocked rays are found again.
+            words[perFace * newId[id] + VCT_FACE_BLOCKED_COUNTS_WORD] &= VCT_FACE_NOT_BLOCKED;
             if (!keepsHits)
                 std::fill_n(
-                    words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id] + VCT_FACE_SKY_WORD), 5,
+                    words.begin() + static_cast<std::ptrdiff_t>(perFace * newId[id] + VCT_FACE_SKY_WORD), 3,
                     0);
             for (std::uint32_t octet = 0; octet < directions / 8 && keepsHits; ++octet) {
                 CachedHits eight(oldHits + shared::hitsWord(id, octet, directions, bits), bits - 16);
@@ -444,7 +447,7 @@ void Irradiance::onBricksPlaced(const shared::CommandLists& found) {
         if (listsChange_ ? count + count / 32 < room : count <= room) continue;
         // Layers stay empty where a brick would go on in the next column of the texture.
         const std::uint32_t unused = VCT_BRICK_TEXELS * (count / (bricksHigh - 16) + 1);
-        room = count + unused + (listsChange_ ? count / 16 + 256 + 3 * VCT_BRICK_TEXELS * moving : 0);
+        room = count + unused + (listsChange_ ? count / 20 + 128 + 3 * VCT_BRICK_TEXELS * moving : 0);
         unplacedCascades_ = DirectionalVoxels::allCascades;
     }
 }
@@ -462,7 +465,10 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     constexpr std::uint32_t maxAlong = bricksHigh / VCT_BRICK_TEXELS;
     const std::uint32_t columns = std::max((layers + bricksHigh - 1) / bricksHigh, 1U),
                         rows = (columns + maxAlong - 1) / maxAlong, along = (columns + rows - 1) / rows;
-    const glm::ivec3 size(VCT_BRICK_TEXELS * along, VCT_BRICK_TEXELS * rows, bricksHigh);
+    // As high as these columns need to be, but not lower than a brick.
+    const std::uint32_t high =
+        std::max<std::uint32_t>((layers + along * rows - 1) / (along * rows), VCT_BRICK_TEXELS);
+    const glm::ivec3 size(VCT_BRICK_TEXELS * along, VCT_BRICK_TEXELS * rows, high);
     bricks_ = gl::Texture::make3d("bricks", GL_RGBA16F, size.x, size.y, size.z, 1);
     bricks_->setFilter(GL_LINEAR, GL_LINEAR);
     // Filtering in a brick may also fetch the texels beside it, with a weight of 0. These may be of no brick,
@@ -473,7 +479,8 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels) {
     brickPlaces_ = gl::Texture::make3d("places of bricks", GL_R32UI, faces.x, faces.y, faces.z, 1);
     // A brick has two words for walls.
     walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
-    staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
+    if (voxels.cascades() == 1)
+        staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, faces.x, faces.y, 2 * faces.z, 1);
 }
 
 // The layout std140 aligns arrays of structures to 16 bytes.
@@ -501,8 +508,7 @@ void Irradiance::uploadUniforms(const DirectionalVoxels& voxels, const std::vect
     values.visitedCascades = plan_.visitedCascades;
     values.bounces = allBounces ? 1.0F : 0.0F;
     std::copy(brickRooms_.begin(), brickRooms_.end(), values.bricks);
-    values.firstForward = irradianceWords() * idCapacity_;
-    values.firstHit = values.firstForward + idCapacity_;
+    values.firstHit = irradianceWords() * idCapacity_;
     values.firstBlocked = values.firstHit + static_cast<std::uint32_t>(hitWords(idCapacity_));
     values.blockedCapacity = blockedCapacity_;
     values.visitsSince = plan_.visitsSince;
@@ -528,16 +534,16 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t plac
                              const ArrivedVoxels& arrived, bool marksAll) const {
     clearBricks_.use();
     brickPlaces_->bindImage(VCT_IMAGE_BRICK_PLACES, 0, GL_READ_WRITE);
-    staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
+    if (staticWalls_) staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
     setArrived(arrived, voxels.cascades());
     const glm::uvec3 groups = (blocksSize(voxels) + 3) / 4;
     gl::DispatchCompute(groups.x, groups.y, groups.z);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
-    if (arrived.any()) markWalls(voxels, 0, *staticWalls_, marksAll);
+    if (arrived.any()) markWalls(voxels, 0, staticWalls_ ? *staticWalls_ : *walls_, marksAll);
     placeBricks_.use();
-    staticWalls_->bind(VCT_TEX_WALLS);
+    if (staticWalls_) staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_WRITE_ONLY);
     gl::Uniform1ui(VCT_UNIFORM_PLACED, placed);
@@ -557,7 +563,8 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     voxels.bindIndices();
     voxels.index().dispatchOverFaces(marksAll ? static_cast<int>(list) : VCT_LIST_VISITED);
-    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                      GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Irradiance::listArrived(const DirectionalVoxels& voxels, const ArrivedVoxels& arrived) const {
@@ -579,7 +586,9 @@ void Irradiance::linkFaces(const DirectionalVoxels& voxels, bool visitsAll, cons
 
 std::vector<const gl::Texture*> Irradiance::textures() const {
     if (!bricks_) return {};
-    return {&*bricks_, &*brickPlaces_, &*walls_, &*staticWalls_};
+    std::vector<const gl::Texture*> textures{&*bricks_, &*brickPlaces_, &*walls_};
+    if (staticWalls_) textures.push_back(&*staticWalls_);
+    return textures;
 }
 
 }  // namespace vct

@@ -179,8 +179,9 @@ class Irradiance {
     std::uint32_t placedCascades_ = 0;  // the bricks of these cascades, a bit each, have to be filled
     bool showsVisibility_ = false;      // the bricks have ambient visibility
     gl::Buffer uniforms_, faceIrradiance_;
-    std::optional<gl::Texture> bricks_, brickPlaces_, walls_, staticWalls_;
-    FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
+    std::optional<gl::Texture> bricks_, brickPlaces_, walls_;
+    std::optional<gl::Texture> staticWalls_;  // only of one cube
+    FaceCapacities capacities_{};             // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, blockedCapacity_ = 0, blocked_ = 0;
     std::array<shared::BrickRoom, VCT_MAX_CASCADES> brickRooms_{};
     std::uint32_t brickLayers_ = 0;

@@ -1,14 +1,19 @@
 #include "engine/passes/g_buffer.h"
-#include "engine/programs.h"
 
+#include <algorithm>
+
+#include "engine/programs.h"
+#include "gl/api.h"
 #include "gl/debug.h"
 #include "gl/render_pass.h"
+#include "gl/version.h"
 
 namespace vct {
 
 ExtraTargets extraTargets(const SceneFeatures& features, Voxels voxels) {
     return {features.has(featureEmissive) || features.has(featureUnlit),
-            voxels == Voxels::directional && features.glossy, features.has(featureNormalMap)};
+            voxels == Voxels::directional && features.glossy, features.has(featureNormalMap),
+            !features.has(featureUnlit) && !features.has(featureEmissiveTexture)};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
@@ -22,6 +27,19 @@ gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
     if (targets.gloss) defines.emplace_back(targets.emissive ? "VCT_GLOSS_TARGET 3" : "VCT_GLOSS_TARGET 2");
     return {"g_buffer", {"passes/g_buffer.vert", "passes/g_buffer.frag"}, defines};
 }
+
+namespace {
+
+// The format of the target of emission. Not all drivers draw into packed floats.
+GLenum emissionFormat(bool isPlain) {
+    const std::vector<std::string> names = gl::extensionNames();
+    const bool hasPackedFloats =
+        gl::parseVersion(gl::glString(GL_VERSION)).atLeast(3, 2, 3, 0) ||
+        std::find(names.begin(), names.end(), "GL_EXT_color_buffer_float") != names.end();
+    return isPlain && hasPackedFloats ? GL_R11F_G11F_B10F : GL_RGBA16F;
+}
+
+}  // namespace
 
 GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size,
                  ExtraTargets targets)
@@ -37,8 +55,8 @@ void GBuffer::resize(glm::ivec2 size) {
     depth_ = gl::Texture::make2d("G-buffer depth", GL_DEPTH_COMPONENT32F, size.x, size.y);
     std::vector<const gl::Texture*> colors{&albedo_, &normal_};
     if (extra_.emissive)
-        colors.push_back(
-            &emissive_.emplace(gl::Texture::make2d("G-buffer emissive", GL_RGBA16F, size.x, size.y)));
+        colors.push_back(&emissive_.emplace(
+            gl::Texture::make2d("G-buffer emissive", emissionFormat(extra_.isPlain), size.x, size.y)));
     if (extra_.gloss)
         colors.push_back(&gloss_.emplace(gl::Texture::make2d("G-buffer gloss", GL_RG8, size.x, size.y)));
     framebuffer_ = gl::Framebuffer("G-buffer", colors, &depth_);

@@ -15,6 +15,7 @@ struct ExtraTargets {
     bool emissive = false;       // a material emits light or is unlit
     bool gloss = false;          // a material is glossy
     bool mappedNormals = false;  // a material has a normal map
+    bool isPlain = false;        // emission does not vary over a material, so few bits show no steps
 };
 // The extra targets that a scene needs.
 ExtraTargets extraTargets(const SceneFeatures& features, Voxels voxels);
