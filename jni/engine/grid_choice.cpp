@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "engine/driver_needs.h"
 #include "engine/volume.h"
-#include "scene/parts.h"
 #include "scene/thickness.h"
 
 namespace vct {
@@ -18,8 +17,6 @@ namespace {
 
 constexpr double voxelsAcross = 2.0;
 constexpr double shareOfSurface = 0.02;
-// A part is a sheet if its shortest side is at most this share of the next one: 0 but for rounding.
-constexpr double sheet = 1e-4;
 // Points at which the thickness is measured. 2 % of them are 40.
 constexpr std::size_t measuredPoints = 2000;
 
@@ -42,49 +39,28 @@ std::string lengthText(double metres) {
 
 struct Narrow {
     double across = HUGE_VAL;  // metres
-    bool isPart = false;
-    std::string name;  // the mesh's, of a part
+    std::string name;          // the mesh's
 
     std::string text(Voxels voxels) const {
-        return std::string("the narrowest 2 % of the surface are ") + (isPart ? "parts " : "") + "up to " +
-               lengthText(across) + (voxels == Voxels::packed ? " thick" : " wide") +
-               (name.empty() ? "" : " (\"" + name + "\")");
+        return "the narrowest 2 % of the surface are up to " + lengthText(across) +
+               (voxels == Voxels::packed ? " thick" : " wide") + (name.empty() ? "" : " (\"" + name + "\")");
     }
 };
 
-// The width up to which parts make up shareOfSurface of the surface.
-Narrow narrowestPart(const Scene& scene, Voxels voxels) {
-    std::vector<Part> parts = connectedParts(scene);
-    const auto across = [&](const Part& part) {
-        const bool thin = voxels == Voxels::packed && part.sides[0] > sheet * part.sides[1];
-        return part.sides[thin ? 0 : 1];
-    };
-    std::stable_sort(parts.begin(), parts.end(),
-                     [&](const Part& a, const Part& b) { return across(a) < across(b); });
-    double area = 0.0, total = 0.0;
-    for (const Part& part : parts)
-        total += part.area;
-    for (const Part& part : parts) {
-        area += part.area;
-        if (area < shareOfSurface * total) continue;
-        const Instance& instance = scene.instances[static_cast<std::size_t>(part.instance)];
-        return {across(part), true, scene.meshes[static_cast<std::size_t>(instance.mesh)].name};
-    }
-    return {};
-}
-
-// Finds the width up to which parts, or places of larger ones, make up shareOfSurface of the surface.
-// `longest`: a greater width does not matter.
+// Finds the thickness or width up to which solids make up shareOfSurface of the surface. `longest`: a greater
+// one does not matter.
 Narrow narrowest(const Scene& scene, Voxels voxels, double longest) {
-    Narrow part = narrowestPart(scene, voxels);
-    std::vector<double> sizes;
-    for (const LocalSize& size : localSizes(scene, measuredPoints, longest))
-        sizes.push_back(voxels == Voxels::packed ? size.thickness : size.width);
+    const auto across = [&](const LocalSize& size) {
+        return voxels == Voxels::packed ? size.thickness : size.width;
+    };
+    std::vector<LocalSize> sizes = localSizes(scene, measuredPoints, longest);
     const auto rank = static_cast<std::ptrdiff_t>(shareOfSurface * static_cast<double>(sizes.size()));
-    if (rank >= static_cast<std::ptrdiff_t>(sizes.size())) return part;
-    std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
-    const double local = sizes[static_cast<std::size_t>(rank)];
-    return local < 0.99 * part.across ? Narrow{local, false, ""} : part;
+    if (rank >= static_cast<std::ptrdiff_t>(sizes.size())) return {};
+    const auto found = sizes.begin() + rank;
+    std::nth_element(sizes.begin(), found, sizes.end(),
+                     [&](const LocalSize& a, const LocalSize& b) { return across(a) < across(b); });
+    const Instance& instance = scene.instances[static_cast<std::size_t>(found->instance)];
+    return {across(*found), scene.meshes[static_cast<std::size_t>(instance.mesh)].name};
 }
 
 }  // namespace

@@ -39,15 +39,12 @@ GridChoice chooseForVoxelSize(const Bounds& boundsWorld, const Settings& setting
 // needed and allowed, because a fine cube of a whole large scene costs too much. The narrowest parts
 // make up 2 % of the surface, because otherwise a single screw could decide.
 //
-// The width of a part is that of the box around it (scene/parts.h), or less where rays find less
-// (scene/thickness.h): a house may be a single part, and its walls are thin.
-//
 // With two voxels across, a part fills at least one voxel alone. The width of a part depends on the kind of
-// voxels (scene/parts.h measures the sides):
+// voxels (scene/thickness.h measures the sides, and counts no sheets):
 // - Voxels::directional: the second-shortest side. A wall may be thinner than a voxel, because voxels keep
 //   surfaces of opposite directions apart. A part that is narrow in two directions, such as a slat, may not.
 // - Voxels::packed: the shortest side, because a voxel has one colour for both sides of a wall and leaks it
-//   into both rooms. Sheets have no thickness, so their second-shortest side counts.
+//   into both rooms.
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
                       std::size_t bytes);
 

@@ -32,6 +32,7 @@ double exitOf(const TriangleTree& tree, int instance, const glm::dvec3& from, co
 LocalSize sizeAt(const TriangleTree& tree, int instance, const glm::dvec3& point, const glm::dvec3& inwards,
                  double longest) {
     LocalSize size;
+    size.instance = instance;
     size.thickness = exitOf(tree, instance, point, inwards, longest);
     if (size.thickness == HUGE_VAL) return size;
     // Chords through the middle of the solid, at right angles to the thickness.

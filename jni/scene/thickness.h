@@ -1,6 +1,5 @@
-// Measures how thick and how wide the solids of a scene are, with rays through them. Parts (parts.h) have the
-// size of the box around all that is connected: the walls of a house that is one mesh are as large as the
-// house. Rays find their thickness.
+// Measures how thick and how wide the solids of a scene are, with rays through them. They find the thickness
+// of walls even if a whole house is one mesh.
 #pragma once
 
 #include <vector>
@@ -10,6 +9,7 @@
 namespace vct {
 
 struct LocalSize {
+    int instance = 0;             // index into Scene::instances
     double thickness = HUGE_VAL;  // along the normal, in metres
     // The second-shortest of three sides at right angles, the thickness among them: of a wall its height or
     // length, of a slat or a column its width.

@@ -34,7 +34,7 @@ TEST(Render, PrintsTheSizeOfVoxelsAndWarnsOfSmallerParts) {
     expectMentions(program.err, {"\ngrid 64: voxels of 3.39 cm\n"});
     EXPECT_EQ(program.err.find("warning"), std::string::npos) << program.err;
     program.expectSuccess("render " VCT_SOURCE_DIR "/assets/thin_wall.glb" + options);
-    expectMentions(program.err, {"warning: the narrowest 2 % of the surface are parts up to 1 cm thick "
+    expectMentions(program.err, {"warning: the narrowest 2 % of the surface are up to 1 cm thick "
                                  "(\"wall\"), less than a voxel"});
 }
 
