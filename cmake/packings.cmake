@@ -23,7 +23,3 @@ endfunction()
 vct_packing(DRACO draco draco/compression/decode.h)
 vct_packing(MESHOPT meshoptimizer meshoptimizer.h)
 vct_packing(WEBP webp webp/decode.h)
-if(NOT ANDROID)
-    # Debian has no package of libktx, so it is used only if it was installed otherwise.
-    vct_packing(KTX ktx ktx.h)
-endif()

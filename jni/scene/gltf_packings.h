@@ -1,5 +1,5 @@
 // Compression formats beyond core glTF. Each needs a library, which a build may lack (CMake's VCT_DRACO,
-// VCT_MESHOPT, VCT_WEBP and VCT_KTX). Such a build refuses files that need the library, and names it.
+// VCT_MESHOPT and VCT_WEBP). Such a build refuses files that need the library, and names it.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
                                                const std::string& mesh);
 
 // Returns the index of a texture's image: its WebP image if this build can read it, else its PNG or JPEG
-// image, else its KTX2 image. Throws vct::Error if there is none.
+// image. Throws vct::Error if there is none.
 int imageOf(const GltfFile& file, int texture);
 
 }  // namespace vct

@@ -1,7 +1,6 @@
 // Loads the textures of a glTF file and their images (declared in gltf_materials.h and gltf_packings.h).
 #include "core/memory.h"
 #include "core/number_text.h"
-#include "image/ktx2_picture.h"
 #include "image/stb_picture.h"
 #include "image/webp_picture.h"
 #include "scene/gltf_accessors.h"
@@ -34,10 +33,9 @@ int imageOf(const GltfFile& file, int texture) {
     const tinygltf::Value* const webp = extensionOf(source.extensions, "EXT_texture_webp");
     if (webp != nullptr && (readsWebp || source.source < 0)) return indexAt(*webp, "source");
     if (source.source >= 0) return source.source;
-    const tinygltf::Value* const ktx2 = extensionOf(source.extensions, "KHR_texture_basisu");
-    if (ktx2 != nullptr) return indexAt(*ktx2, "source");
-    file.fail("texture " + std::to_string(texture) + " has no PNG, JPEG, WebP or KTX2 image",
-              "export it with one of these textures");
+    file.fail(
+        "texture " + std::to_string(texture) + " has no PNG, JPEG or WebP image, and others are not read",
+        "export it with one of these");
 }
 
 int TextureLoader::get(int index) {
@@ -106,10 +104,6 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
     try {
         if (isWebp(bytes.data, bytes.size)) {
             const WebpPicture picture(bytes.data, bytes.size);
-            checkSize(picture);
-            result.rgba = picture.decode();
-        } else if (isKtx2(bytes.data, bytes.size)) {
-            const Ktx2Picture picture(bytes.data, bytes.size);
             checkSize(picture);
             result.rgba = picture.decode();
         } else {

@@ -111,7 +111,7 @@ def load_materials(document: dict) -> list[Material]:
 
 
 def image_of(texture: dict) -> int:
-    """Prefers WebP over the plain source, and that over KTX2, as the renderer does."""
+    """Prefers WebP over the plain source, as the renderer does."""
     extensions = texture.get("extensions", {})
     if "EXT_texture_webp" in extensions:
         return extensions["EXT_texture_webp"]["source"]
