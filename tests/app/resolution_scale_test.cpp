@@ -161,18 +161,6 @@ TEST(ResolutionInTheApp, RisesToTheWindowAndKeepsWhatTheSceneHas) {
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
-// No software driver renders a frame of the preset thesis with 256^3 voxels in 15 ms.
-TEST(ResolutionInTheApp, FallsToItsBoundWhereFramesAreSlow) {
-    StandIn android;
-    android.intentExtra = "show display=off mode=gi preset=thesis revoxelize=on";
-    android.startUntilSceneShown(320, 240);
-    android.framesUntilLogged("pixels as the time allows: 80x60 of 320x240", 60);
-    android.frames(2);
-    android.run();
-    EXPECT_EQ(android.errors(), "");
-    EXPECT_EQ(android.misuse, std::vector<std::string>{});
-}
-
 TEST(ResolutionInTheApp, FallsOnAHotDevice) {
     StandIn android;
     android.intentExtra = "show display=off steps=off grid=64 mode=phong preset=mobile";

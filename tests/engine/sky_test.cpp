@@ -113,53 +113,17 @@ TEST(Sky, AFloorReceivesASunOfOnePixelInTheMean) {
     EXPECT_NEAR(sum, 1.0, 0.15);
 }
 
-constexpr double roomHeight = 1.0;
 const Camera aboveRoom = lookAt({0, 3.5, 0.001}, {0, 0, 0}, 28);
 
-// A room of 2 x 2 without a ceiling. Its floor is white.
-Scene openRoom(const glm::vec4& walls) {
+// A white room of 2 x 2 without a ceiling.
+Scene openRoom() {
     Scene scene = emptyScene();
-    scene.materials.push_back(scene.materials[0]);
-    scene.materials[1].baseColor = walls;
-    const double h = roomHeight;
     addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
-    addQuad(scene, {-1, 0, -1}, {0, h, 0}, {0, 0, 2}, 1);
-    addQuad(scene, {1, 0, -1}, {0, 0, 2}, {0, h, 0}, 1);
-    addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, h, 0}, 1);
-    addQuad(scene, {-1, 0, 1}, {0, h, 0}, {2, 0, 0}, 1);
+    addQuad(scene, {-1, 0, -1}, {0, 1, 0}, {0, 0, 2});
+    addQuad(scene, {1, 0, -1}, {0, 0, 2}, {0, 1, 0});
+    addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 1, 0});
+    addQuad(scene, {-1, 0, 1}, {0, 1, 0}, {2, 0, 0});
     return finished(std::move(scene));
-}
-
-// Share of the cosine-weighted hemisphere above a point of the floor that the opening fills: a differential
-// element under a rectangle (Howell's catalogue, B-4), the four quarters around the point.
-double openingAbove(const glm::dvec3& p) {
-    double sum = 0.0;
-    for (const double a : {1.0 - p.x, 1.0 + p.x})
-        for (const double b : {1.0 - p.z, 1.0 + p.z}) {
-            const double x = a / roomHeight, y = b / roomHeight;
-            const double rootX = std::sqrt(1.0 + x * x), rootY = std::sqrt(1.0 + y * y);
-            sum += (x / rootX * std::atan(y / rootX) + y / rootY * std::atan(x / rootY)) / (2.0 * pi);
-        }
-    return sum;
-}
-
-TEST(Sky, AFloorBetweenBlackWallsReceivesTheFormFactorOfTheOpening) {
-    const Context context = openContext(Backend::egl);
-    const auto sky = skyOf([](const glm::dvec3& d) { return glm::dvec3(d.y > -0.5 ? 1.0 : 0.0); });
-    FrameInspector frame(context, openRoom(glm::vec4(0, 0, 0, 1)), noLight(), settingsUnder(sky, 96),
-                         aboveRoom);
-    double sum = 0.0, right = 0.0;
-    int count = 0;
-    for (const auto& [surface, value] : frame.seen(Output::indirectLight)) {
-        // Voxels in the creases of the floor are partly wall.
-        const glm::dvec3& p = surface.positionWorld;
-        if (surface.normal.y < 0.9 || std::max(std::abs(p.x), std::abs(p.z)) > 0.93) continue;
-        sum += value.r;
-        right += openingAbove(p);
-        ++count;
-    }
-    ASSERT_GT(count, 1000);
-    EXPECT_NEAR(sum / right, 1.0, 0.07);  // measured: the rims of the walls block 6 % more than they cover
 }
 
 // As in a white furnace, every surface is as bright as the sky.
@@ -168,7 +132,7 @@ TEST(Sky, AWhiteOpenRoomIsAsBrightAsTheSky) {
     const auto sky = skyOf([](const glm::dvec3&) { return glm::dvec3(1.0); });
     Settings settings = settingsUnder(sky);
     settings.lightFrames = 64;
-    FrameInspector frame(context, openRoom(glm::vec4(1.0F)), noLight(), settings, aboveRoom);
+    FrameInspector frame(context, openRoom(), noLight(), settings, aboveRoom);
     EXPECT_NEAR(meanOf(frame, Output::gi).r, 1.0, 0.02);
 }
 
