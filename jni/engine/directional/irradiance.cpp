@@ -178,6 +178,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
+    bool linksObjects = false;
     if (const std::uint32_t placed = std::exchange(unplacedCascades_, 0)) {
         if (carryOver_ && !isFirst && change.lists) carryOver(voxels, change.voxelized);
         const bool isNew =
@@ -187,8 +188,8 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         else if (arrived.any())
             listArrived(voxels, arrived);
         placeBricks(voxels, placed, arrived, isNew);
-        if (!isNew && arrived.any()) linkFaces(voxels, false, everywhere);
-        if (isNew || voxels.hasDynamicObjects()) linkFaces(voxels, true, isNew ? everywhere : box);
+        if (isNew || arrived.any()) linkFaces(voxels, isNew, everywhere);
+        linksObjects = !isNew && voxels.hasDynamicObjects();
         if (isFirst) {
             // The bricks are counted by placing them.
             onBricksPlaced(voxels.index().readCommands());
@@ -205,6 +206,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
         if (forwardTurns_ == 0) plan_.listsVisited = true;
     }
     if (listVisited_ && (isFirst || change.voxelized != 0 || plan_.listsVisited)) listVisited(voxels, box);
+    if (linksObjects) linkFaces(voxels, plan_.visitsAll, box);
     if (plan_.visitsAll) placedCascades_ = DirectionalVoxels::allCascades;
     if (!findEmitters_ || !(plan_.updatesEmitters || plan_.emitterTurns > 1)) return;
     voxels.bindForRays();
