@@ -492,7 +492,7 @@ void Irradiance::uploadUniforms(const DirectionalVoxels& voxels, const std::vect
                                 bool allBounces) const {
     shared::LightStep values{};
     values.frame = plan_.step;
-    values.rays = plan_.rays;
+    values.rays = static_cast<std::uint32_t>(settings_.rays);
     values.movingRays = plan_.movingRays;
     values.minMovingRays = plan_.minMovingRays;
     if (plan_.refiningStep >= 0) {

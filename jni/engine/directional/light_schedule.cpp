@@ -73,7 +73,6 @@ LightPlan LightSchedule::advance(const Change& change) {
                                             (plan.visitedCascades | visitedCascades_) != 0);
     plan.findsBlocked = plan.traces || plan.updatesSky || plan.listsVisited || plan.visitsAll != visitedAll_;
     plan.visitsSince = isRefining || step_ < moveSteps ? 1 : step_ - moveSteps + 1;
-    plan.rays = static_cast<std::uint32_t>(rays_);
     visitedAll_ = plan.visitsAll;
     visitedCascades_ = plan.visitedCascades;
     // The step of a move leaves the rays of new faces to the next one, but not twice in succession.

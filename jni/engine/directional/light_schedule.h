@@ -28,7 +28,6 @@ struct LightPlan {
     bool interrupts = false;            // the step ends a refinement too early
     bool gathers = true;                // faces find the light that they receive
     bool traces = false;                // cached rays may be unknown or out of date
-    std::uint32_t rays = 0;             // new rays per face
     bool startsDark = false;            // no face had light before its first rays
     int bounces = 1;                    // times that the faces find the light that they receive
     bool visitsAll = true;              // the step visits all faces; false: a list of them
